@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <ostream>
 #include <set>
 
@@ -13,6 +14,7 @@
 #include "core/flat/flat_model.hpp"
 #include "core/flat/range.hpp"
 #include "core/library/library.hpp"
+#include "core/structure/hybrid.hpp"
 #include "core/structure/structure.hpp"
 #include "core/study/validate.hpp"
 #include "core/syntax/parser.hpp"
@@ -77,6 +79,12 @@ fs::path packageOf(const fs::path& path) {
     return root;
 }
 
+/// Where the classes lie that a file of no package may name.
+fs::path neighbourhood(const fs::path& file) {
+    std::error_code problem;
+    return fs::absolute(file, problem).lexically_normal().parent_path();
+}
+
 Outcome<Subject> modelSubject(const Options& options) {
     const std::string name = options.input.string();
     Outcome<std::string> text = readRegularFile(options.input);
@@ -90,6 +98,7 @@ Outcome<Subject> modelSubject(const Options& options) {
     const bool isPackageFile = !package.empty() && options.input.filename() == "package.mo";
     const bool isBuiltIn = library && library->find(package.filename().string()) != nullptr;
     if (library && !package.empty() && !isBuiltIn) library = library->withPath(package);
+    if (library && package.empty()) library = library->withDirectories({neighbourhood(options.input)});
     if (library && !isPackageFile) library = library->withSource(source);
     if (!library) return library.diagnostics();
     Outcome<std::string> className = classOf(parsed.definition, options, name);
@@ -135,10 +144,22 @@ std::string loopText(const Structure& structure) {
 }
 
 void printSummary(const std::string& description, const FlatModel& flat, const Structure& structure,
-                  const System& system, std::ostream& out) {
+                  const System& system, std::ostream& out, const HybridModel* hybrid = nullptr) {
     int unknowns = 0;
     for (const FlatVariable& v : flat.variables)
         if (v.variability == FlatVariability::Continuous && v.causality != FlatCausality::Input) ++unknowns;
+    const auto declared = [&](FlatCausality causality) {
+        std::vector<SignalInfo> signals;
+        for (const FlatVariable& v : flat.variables)
+            if (v.causality == causality && !(v.isDiscrete && v.isProtected)) {
+                signals.emplace_back();
+                signals.back().name = v.name;
+                signals.back().unit = v.unit;
+            }
+        return signals;
+    };
+    const std::vector<SignalInfo> inputs = hybrid ? declared(FlatCausality::Input) : system.inputs();
+    const std::vector<SignalInfo> outputs = hybrid ? declared(FlatCausality::Output) : system.outputs();
     std::size_t implicit = 0;
     for (const SolutionBlock& block : structure.blocks) implicit += block.isExplicit ? 0 : 1;
     out << description << '\n'
@@ -154,9 +175,14 @@ void printSummary(const std::string& description, const FlatModel& flat, const S
                            ? fmt::format("reduced: {} equations differentiated", structure.indexReduction)
                            : std::string("nothing to reduce"))
         << fmt::format("  states      {}  {}\n", system.stateCount(), signalText(system.states()))
-        << fmt::format("  inputs      {}  {}\n", system.inputCount(), signalText(system.inputs()))
-        << fmt::format("  outputs     {}  {}\n", system.outputCount(), signalText(system.outputs()));
-    if (system.rootCount() > 0) out << fmt::format("  events      {}\n", system.rootCount());
+        << fmt::format("  inputs      {}  {}\n", inputs.size(), signalText(inputs))
+        << fmt::format("  outputs     {}  {}\n", outputs.size(), signalText(outputs));
+    if (hybrid)
+        out << fmt::format("  events      {}  {} relations, {} sampled, {} assignments\n",
+                           hybrid->relations.size() + hybrid->samples.size() + hybrid->wholes.size(),
+                           hybrid->relations.size(), hybrid->samples.size(), hybrid->assignments.size());
+    else if (system.rootCount() > 0)
+        out << fmt::format("  events      {}\n", system.rootCount());
 }
 
 int fails(const Diagnostics& faults, std::ostream& err) {
@@ -175,7 +201,15 @@ int checkSubject(const Outcome<Subject>& subject, const Options& options, std::o
         return done;
     }
     const auto model = std::make_shared<const FlatModel>(std::move(*flat));
-    const Outcome<Structure> structure = analyse(model);
+    std::optional<HybridModel> hybrid;
+    if (!model->events.refusals.empty()) {  // it has events of its own: when, pre, sample
+        Outcome<HybridModel> parted = partition(*model);
+        if (!parted) return fails(parted.diagnostics(), err);
+        hybrid = std::move(*parted);
+    }
+    StructureOptions keep;
+    if (hybrid) keep.keep = hybrid->slots;
+    const Outcome<Structure> structure = analyse(hybrid ? hybrid->continuous : model, keep);
     if (!structure) return fails(structure.diagnostics(), err);
     if (options.print == PrintKind::Structure) {
         out << print(*structure);
@@ -188,7 +222,7 @@ int checkSubject(const Outcome<Subject>& subject, const Options& options, std::o
         return done;
     }
     if (!structure->warnings.empty()) err << format(structure->warnings) << '\n';
-    printSummary(subject->description, *model, *structure, **system, out);
+    printSummary(subject->description, *model, *structure, **system, out, hybrid ? &*hybrid : nullptr);
     return done;
 }
 

@@ -120,6 +120,7 @@ int simulateClass(const Options& options, std::ostream& out, std::ostream& err) 
     if (!library) return fails(library.diagnostics(), err);
     Outcome<FlatModel> flat = flatten(*library, options.className);
     if (!flat) return fails(flat.diagnostics(), err);
+    if (!flat.diagnostics().empty()) err << format(flat.diagnostics()) << '\n';
     const LibraryClass& cls = *library->find(options.className);
     EventRunOptions run;
     readExperiment(*library, cls, run);

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <map>
 
+#include "core/flat/connections.hpp"
+
 namespace analogon {
 
 void Balance::checkConnectors() {
@@ -55,7 +57,8 @@ void Balance::countUnknowns() {
         Instance& component = record.owner->component();
         ++component.unknowns;
         const bool isFlow = work_.variable(id).isFlow && (&component != record.owner || element.type.isConnector);
-        const bool isOpenInput = record.causality == syntax::Causality::Input && !record.isBound && !record.isProtected;
+        const bool isOpenInput = record.causality == syntax::Causality::Input && !record.isProtected &&
+                                 (!record.isBound || work_.connections->isConnectedInside(id));
         if (!isFlow && !isOpenInput) continue;
         ++component.equations;
         if (component.parent) ++component.parent->component().unknowns;

@@ -67,6 +67,7 @@ void Binder::freeParameters(Instance& instance, Element& element) {
         FlatVariable& variable = work_.model.variables[id.value];
         if (!free_.contains(id) || variable.binding.valid() || variable.type != FlatType::Real) continue;
         variable.variability = FlatVariability::Continuous;
+        variable.isFoundAtStart = true;
         Instance& component = instance.component();
         work_.model.equations.push_back(
             {work_.pool.derivativeOf(id), work_.pool.constant(0), variable.declared, component.name, false});
@@ -101,7 +102,7 @@ std::optional<Value> Binder::valueFor(Instance& instance, Element& element, cons
 }
 
 bool Binder::fitsType(const Element& element, const Value& value) const {
-    if (element.type.enumeration) return value.enumeration == element.type.className;
+    if (element.type.enumeration) return value.enumeration == element.type.enumerationName();
     if (!value.enumeration.empty()) return false;
     if (value.type == element.type.builtin) return true;
     return element.type.builtin == FlatType::Real && value.type == FlatType::Integer;

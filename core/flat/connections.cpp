@@ -225,14 +225,16 @@ std::string Connections::memberLabel(const Member& member) const {
 }
 
 void Connections::potentialEquations(const std::vector<std::uint32_t>& set) {
-    // Section 9.2: of the signals in a set at most one is a source, an output of a component or an input of the
-    // class itself.
+    // Section 9.2: of the signals in a set at most one is a source, an output of a component or a public input of the
+    // class itself. A protected one is a variable between the others.
     const Member* source = nullptr;
     bool onlyInputs = true;
     for (std::uint32_t m : set) {
         const Member& member = members_[m];
-        const auto causality = work_.records[member.variable.value].causality;
-        const bool isSource = causality == (member.isOutside ? syntax::Causality::Input : syntax::Causality::Output);
+        const VariableRecord& record = work_.records[member.variable.value];
+        const auto causality = record.causality;
+        const bool isSource = member.isOutside ? causality == syntax::Causality::Input && !record.isProtected
+                                               : causality == syntax::Causality::Output;
         if (causality == syntax::Causality::None || isSource || member.isOutside) onlyInputs = false;
         if (isSource && source) {
             work_.messages.error(phrase("two signals drive each other: {} and {} are both sources",
@@ -281,7 +283,7 @@ void Connections::unconnectedInputs() {
         if (!component.parent || record.isProtected) continue;
         const std::string& name = work_.variable(id).name;
         const bool isConnected = isConnectedInside(id);
-        if (isConnected && record.isBound)
+        if (isConnected && record.isBound && !isBoundByItself(id))
             work_.messages.error(phrase("the input '{}' is connected and has a value as well", name),
                                  component.declared, phrase("remove the connection or the value"));
         else if (!isConnected && !record.isBound && !isSetByEquation(id)) {
@@ -297,6 +299,12 @@ void Connections::unconnectedInputs() {
                                      component.name.substr(component.name.rfind('.') + 1), element.declaration->name));
         }
     }
+}
+
+/// `RealInput u = x` in the class of the component is an equation for x where u is connected.
+bool Connections::isBoundByItself(VariableId id) const {
+    const VariableRecord& record = work_.records[id.value];
+    return work_.elementOf(id).modifier.value.scope.instance == record.owner;
 }
 
 /// A connector's variable may be set by an equation of the class that holds the component (section 4.7): it is one of

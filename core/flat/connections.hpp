@@ -71,6 +71,7 @@ private:
     void unconnectedFlows();
     void unconnectedInputs();
     bool isSetByEquation(VariableId input);
+    bool isBoundByItself(VariableId id) const;
     std::vector<bool> inputsInEquations() const;
     std::string memberLabel(const Member& member) const;
     std::string connectorName(VariableId id) const;

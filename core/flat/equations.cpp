@@ -230,7 +230,7 @@ bool Equations::isWarning(const syntax::Expression& call, const Scope& scope) {
     return number && *number == 2;
 }
 
-/// assert on parameters is checked here; one on variables only warns that it is not.
+/// assert on parameters is checked here; one on variables by whoever simulates with events.
 void Equations::assertion(const syntax::Equation& equation, const Scope& scope) {
     const syntax::Expression& call = equation.left;
     const std::string name = call.name.text();
@@ -251,9 +251,8 @@ void Equations::assertion(const syntax::Equation& equation, const Scope& scope) 
         return;
     }
     const auto holds = work_.translator->constantNumber(condition->elements[0], false);
-    if (!holds && work_.events->action(equation, work_.pool.constant(1), scope))
-        work_.messages.warning(phrase("the assertion is not checked: its condition changes while the model runs"),
-                               equation.span);
+    if (!holds)
+        work_.events->action(equation, work_.pool.constant(1), scope);
     else if (holds && *holds == 0 && !isWarning(call, scope))
         work_.messages.error(phrase("{}: {}", scope.instance->label(), text->texts[0]), equation.span,
                              phrase("the condition of 'assert' does not hold"));

@@ -142,7 +142,7 @@ std::optional<Value> Events::memory(const syntax::Expression& call, const Scope&
     refuse(phrase("the function '{}' is not supported", name), call.name.span.valid() ? call.name.span : call.span);
     Value value;
     value.type = name == "pre" ? slice->element->type.builtin : FlatType::Boolean;
-    if (name == "pre" && slice->element->type.enumeration) value.enumeration = slice->element->type.className;
+    if (name == "pre") value.enumeration = slice->element->type.enumerationName();
     value.dimensions = slice->dimensions;
     ExpressionPool& pool = work_.pool;
     for (const VariableId id : slice->variables) {
@@ -154,12 +154,24 @@ std::optional<Value> Events::memory(const syntax::Expression& call, const Scope&
     return value;
 }
 
+/// Of parameters only, those that the start finds included.
+bool Events::staysTheSame(ExpressionId id) const {
+    bool stays = true;
+    work_.pool.evaluate(id, [&](const ExpressionNode& leaf) {
+        if (leaf.operation != Operation::Variable ||
+            (work_.isContinuous(leaf.variable) && !work_.variable(leaf.variable).isFoundAtStart))
+            stays = false;
+        return 0.0;
+    });
+    return stays;
+}
+
 std::optional<Value> Events::sample(const syntax::Expression& call, const Scope& scope) {
     std::vector<ExpressionId> arguments;
     for (const syntax::Expression& operand : call.operands) {
         const auto value = work_.translator->translate(operand, scope);
         if (!value) return std::nullopt;
-        if (value->isNumeric() && value->isScalar() && work_.translator->isParametric(value->elements[0]))
+        if (value->isNumeric() && value->isScalar() && staysTheSame(value->elements[0]))
             arguments.push_back(value->elements[0]);
     }
     if (arguments.size() != 2 || !call.named.empty()) {

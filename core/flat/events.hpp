@@ -45,6 +45,7 @@ public:
 private:
     VariableId newVariable(const std::string& name, FlatType type, bool isKnown, const Span& span);
     std::optional<Value> memory(const syntax::Expression& call, const Scope& scope, const std::string& name);
+    bool staysTheSame(ExpressionId id) const;
     std::optional<Value> sample(const syntax::Expression& call, const Scope& scope);
     ExpressionId flag(VariableId& variable, const char* name);
     bool body(const std::vector<syntax::Equation>& equations, ExpressionId guard, const Scope& scope,

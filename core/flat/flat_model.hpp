@@ -27,10 +27,11 @@ struct FlatVariable {
     bool isFlow{};
     bool isDiscrete{};  // changes at events alone: no Real, or set by a when
     bool isProtected{};
-    bool isFinal{};       // a final modification: an inspector does not offer it, a fit refuses it
-    bool isStructural{};  // its value has shaped the equations (array size, condition): changing it needs a new
-                          // flatten()
-    std::string unit;     // empty: not given
+    bool isFoundAtStart{};  // a parameter with fixed = false: an initial equation gives its value
+    bool isFinal{};         // a final modification: an inspector does not offer it, a fit refuses it
+    bool isStructural{};    // its value has shaped the equations (array size, condition): changing it needs a new
+                            // flatten()
+    std::string unit;       // empty: not given
     std::string displayUnit;
     std::string quantity;
     std::string description;
@@ -80,6 +81,12 @@ struct FlatEvents {
         ExpressionId condition, variable, value;
         Span span;
     };
+    /// An element that is chosen while the model runs; outside of 1:extent there is none, and its value is NaN.
+    struct Subscript {
+        ExpressionId index;
+        int extent{};
+        Span span;
+    };
     struct Check {
         ExpressionId condition;  // assert: must hold; terminate: ends the simulation where it holds
         std::string message;
@@ -93,6 +100,7 @@ struct FlatEvents {
     std::vector<Sample> samples;
     std::vector<Reinit> reinits;
     std::vector<Check> checks;
+    std::vector<Subscript> subscripts;
     /// What a use of the model that knows no events says of them.
     Diagnostics refusals;
 };

@@ -50,6 +50,12 @@ struct Flattening {
     /// Library lookup from a class outward, remembered.
     const LibraryClass* lookup(const syntax::Name& name, const LibraryClass* from);
     const LibraryClass* lookup(const std::string& name, const LibraryClass* from);
+    /// Says once that a name is an old one of what was found.
+    void tellNewName(const syntax::Name& name);
+    /// Where a name leads into the Modelica Standard Library and there is none: says so, and ends the work.
+    bool isOfMissingLibrary(const syntax::Name& name, const LibraryClass* from);
+    /// A class that is not there: whose it is, or what may be meant.
+    void reportUnknownClass(const syntax::Name& name, const LibraryClass* from);
     /// The text of the class must live as long as the result.
     void keepSource(const syntax::ClassDefinition& definition);
 
@@ -60,6 +66,7 @@ struct Flattening {
 private:
     std::unordered_map<const LibraryClass*, std::unordered_map<std::string, const LibraryClass*>> found_;
     std::unordered_set<const Source*> kept_;
+    std::unordered_set<std::string_view> told_;  // old names
 };
 
 }  // namespace analogon

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <string_view>
 
 #include "core/flat/events.hpp"
@@ -288,8 +289,23 @@ private:
         return value;
     }
 
+    /// A leading size of what is being declared: A[:, size(A, 1)].
+    std::optional<Value> sizeUnderWay() {
+        const syntax::Expression& operand = *expressions_[0];
+        const bool isName = operand.kind == syntax::Expression::Kind::Reference && scope_.instance &&
+                            !operand.name.absolute && operand.name.parts.size() == 1 &&
+                            operand.name.parts[0].subscripts.empty() && expressions_[1] &&
+                            expressions_[1]->kind == syntax::Expression::Kind::Number;
+        const Element* const element = isName ? scope_.instance->find(operand.name.parts[0].identifier) : nullptr;
+        if (!element || element->state != Element::State::Busy) return std::nullopt;
+        const double at = expressions_[1]->number;
+        if (!(at >= 1) || at > static_cast<double>(element->dimensions.size())) return std::nullopt;
+        return Value::scalar(FlatType::Integer, pool_.constant(element->dimensions[static_cast<std::size_t>(at) - 1]));
+    }
+
     std::optional<Value> size() {
         if (!take({"A", "i"}, 1)) return std::nullopt;
+        if (const auto known = sizeUnderWay()) return known;
         const auto array = sized();
         if (!array) return array;
         if (!expressions_[1]) {
@@ -574,7 +590,17 @@ private:
             if (outputs->empty()) return fail(phrase("'{}' gives no value", qualified), span);
             return std::move(outputs->front());
         }
+        if (work_.isOfMissingLibrary(call_.name, scope_.lexical)) return std::nullopt;
         return fail(phrase("the function '{}' is not known", name_), span, didYouMean(name_, functionNames()));
+    }
+
+    /// A file that is named without a directory lies where the program runs, or beside the text that names it.
+    std::string besideTheModel(const std::string& name) const {
+        std::error_code problem;
+        if (std::filesystem::path(name).is_absolute() || std::filesystem::exists(name, problem) || !call_.span.source)
+            return name;
+        const auto beside = std::filesystem::path(call_.span.source->name()).parent_path() / name;
+        return std::filesystem::exists(beside, problem) ? beside.string() : name;
     }
 
     /// "modelica://Package/Resources/…" as a path: beside the file of the package.
@@ -585,7 +611,7 @@ private:
         const std::string& uri = text->texts[0];
         constexpr std::string_view scheme = "modelica://", file = "file:///";
         if (uri.starts_with(file)) return Value::text(uri.substr(file.size() - 1));
-        if (!uri.starts_with(scheme)) return text;
+        if (!uri.starts_with(scheme)) return Value::text(besideTheModel(uri));
         const std::string path = uri.substr(scheme.size());
         const auto slash = path.find('/');
         const LibraryClass* package = work_.library.find(path.substr(0, slash));

@@ -58,6 +58,8 @@ void Instantiator::collectBase(Instance& instance, const LibraryClass& derived, 
         return;
     }
     const LibraryClass* base = lookupBase(baseName, derived);
+    if (base) work_.tellNewName(baseName);
+    if (!base && work_.isOfMissingLibrary(baseName, &derived)) return;
     if (!base) {
         work_.messages.error(phrase("the base class '{}' of '{}' is not known", baseName.text(), derived.qualifiedName),
                              baseName.span, didYouMean(baseName.text(), work_.library.names()));
@@ -104,6 +106,7 @@ void Instantiator::collect(Instance& instance, const LibraryClass& definition, c
                                     phrase("write the relation as equations"));
     path.push_back(&definition);
     work_.keepSource(tree);
+    for (const syntax::Import& import : tree.imports) work_.tellNewName(import.name);
     const Scope scope{&instance, &definition};
     collectClasses(instance, definition, outer);
     if (tree.isShort && !tree.isEnumeration) {

@@ -27,6 +27,8 @@ struct ResolvedType {
     std::string className;                         // qualified, as it was named ("Analogon.Interfaces.RealInput")
     Modifier modifier;                             // of the short classes on the way
     std::vector<Dimension> dimensions;
+    /// Of an enumeration, whatever short class leads to it; empty: it is none.
+    std::string enumerationName() const { return enumeration ? definition->qualifiedName : std::string(); }
     syntax::Causality causality{syntax::Causality::None};
     bool isConnector{};
 };
@@ -50,6 +52,7 @@ struct Element {
     std::vector<int> dimensions;
     VariableId firstVariable;           // built-in type: the scalars follow each other
     std::vector<Instance*> items;       // of a class, row-major
+    bool isElsewhere{};                 // `outer`: what it names is that of an instance around this one
     Binding binding{Binding::Pending};  // whether the scalars' values are translated
 
     std::size_t count() const { return elementCount(dimensions); }
@@ -85,6 +88,7 @@ struct Instance {
     syntax::Causality causality{syntax::Causality::None};
     bool isFlow{};
     bool isProtected{};
+    bool isHidden{};  // a connector or record that is protected within its component
     bool isFinal{};
     Span declared;
     int depth{};
@@ -119,7 +123,7 @@ struct VariableRecord {
     std::uint32_t element{};   // index in owner->elements
     std::uint32_t position{};  // in the element's array
     syntax::Causality causality{syntax::Causality::None};
-    bool isProtected{};
+    bool isProtected{};            // within its component: whoever holds that cannot reach it
     bool isBound{};                // a continuous variable with a binding equation
     std::optional<double> number;  // a parameter's value, once it was needed
 };

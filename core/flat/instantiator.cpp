@@ -107,7 +107,7 @@ void Instantiator::completeAll(Instance& root) {
         }
         Instance& instance = *frame.instance;
         Element& element = instance.elements[frame.next++];
-        if (!ensure(instance, element)) continue;
+        if (!ensure(instance, element) || element.isElsewhere) continue;
         for (auto item = element.items.rbegin(); item != element.items.rend(); ++item) stack.push_back({*item, 0});
         for (Instance* item : element.items)
             if (item->isComponent()) work_.components.push_back(item);
@@ -138,12 +138,7 @@ bool Instantiator::ensure(Instance& instance, Element& element) {
 bool Instantiator::prepare(Instance& instance, Element& element) {
     const syntax::Component& declaration = *element.declaration;
     const syntax::Component& original = *element.original;
-    if (original.isInner || original.isOuter) {
-        work_.messages.error(phrase("\"{}\" components are not supported", original.isInner ? "inner" : "outer"),
-                             wordOf(original, original.isInner ? "inner" : "outer"),
-                             phrase("connect the component explicitly"));
-        return false;
-    }
+    if (original.isOuter) return prepareOuter(instance, element);
     if (original.isStream) {
         work_.messages.error(phrase("stream variables are not supported"), wordOf(original, "stream"),
                              phrase("use a potential and a flow variable"));
@@ -185,6 +180,47 @@ bool Instantiator::prepare(Instance& instance, Element& element) {
     return createItems(instance, element);
 }
 
+/// An outer component is the inner one of its name in the nearest instance around (section 5.4).
+bool Instantiator::prepareOuter(Instance& instance, Element& element) {
+    const syntax::Component& original = *element.original;
+    const std::string& name = original.name;
+    const auto refuse = [&](const Text& why, const Text& hint) {
+        work_.messages.error(why, wordOf(original, "outer"), hint);
+        return false;
+    };
+    if (original.isInner)
+        return refuse(phrase("a component that is \"inner\" and \"outer\" at once is not supported"),
+                      phrase("give the inner one a name of its own"));
+    if (!original.modifications.empty() || original.binding)
+        return refuse(
+            phrase("the outer component '{}' cannot be modified: it is the one of an instance around it", name),
+            phrase("modify the inner component"));
+    Element* meant = nullptr;
+    Instance* around = instance.parent;
+    for (; around; around = around->parent) {
+        meant = around->find(name);
+        if (meant && meant->original->isInner) break;
+    }
+    if (!around)
+        return refuse(phrase("the outer component '{}' of {} has no inner one around it", name, instance.label()),
+                      phrase("declare it in a model that holds this one: inner {} {}", original.type.text(), name));
+    if (!work_.instantiator->ensure(*around, *meant)) return false;
+    const auto type = resolveType(element.declaration->type, element.scope);
+    if (!type) return false;
+    if (!meant->isDisabled &&
+        !satisfies(meant->type, element.declaration->type, element.scope, meant->declaration->typeSpan))
+        return false;
+    element.isElsewhere = true;
+    element.isDisabled = meant->isDisabled;
+    element.type = meant->type;
+    element.dimensions = meant->dimensions;
+    element.firstVariable = meant->firstVariable;
+    element.items = meant->items;
+    element.isObject = meant->isObject;
+    element.modifier = meant->modifier;
+    return true;
+}
+
 std::optional<std::vector<int>> Instantiator::dimensionsOf(Instance& instance, Element& element) {
     std::vector<ResolvedType::Dimension> sizes;
     const bool ownSizes = !element.declaration->dimensions.empty() || element.declaration == element.original;
@@ -195,6 +231,7 @@ std::optional<std::vector<int>> Instantiator::dimensionsOf(Instance& instance, E
 
     std::vector<int> result;
     for (const auto& [size, sizeScope] : sizes) {
+        element.dimensions = result;  // a size may speak of those before it: A[:, size(A, 1)]
         const std::string name = instance.memberName(element.declaration->name);
         if (size->kind != syntax::Expression::Kind::Colon) {
             const auto extent = work_.translator->constantInteger(*size, sizeScope, phrase("the size of '{}'", name));
@@ -259,7 +296,7 @@ void Instantiator::createVariables(Instance& instance, Element& element) {
     VariableRecord record;
     record.owner = &instance;
     record.element = static_cast<std::uint32_t>(&element - instance.elements.data());
-    record.isProtected = variable.isProtected;
+    record.isProtected = element.isProtected || instance.isHidden;
     record.causality = instance.causality;
     for (auto causality : {element.type.causality, original.causality, declaration.causality})
         if (causality != syntax::Causality::None) record.causality = causality;
@@ -339,6 +376,7 @@ bool Instantiator::createItems(Instance& instance, Element& element) {
             if (causality != syntax::Causality::None) item.causality = causality;
         item.isFlow = instance.isFlow || declaration.isFlow || original.isFlow;
         item.isProtected = instance.isProtected || element.isProtected;
+        item.isHidden = !item.isComponent() && (instance.isHidden || element.isProtected);
         item.isFinal = instance.isFinal || element.modifier.isFinal;
         const Modifier modifier = element.dimensions.empty()
                                       ? element.modifier

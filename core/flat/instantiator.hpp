@@ -47,6 +47,7 @@ private:
     void checkModifiedNames(Instance& instance, const Modifier& modifier, bool fromOutside);
 
     bool prepare(Instance& instance, Element& element);
+    bool prepareOuter(Instance& instance, Element& element);
     std::optional<std::vector<int>> dimensionsOf(Instance& instance, Element& element);
     bool reserve(const Element& element, const std::string& name);
     void createVariables(Instance& instance, Element& element);

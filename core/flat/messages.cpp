@@ -25,10 +25,6 @@ void Messages::warning(const Text& message, const Span& span, const Text& hint) 
 }
 
 Text didYouMean(std::string_view misspelt, const std::vector<std::string>& names) {
-    if (misspelt == "Modelica" || misspelt.starts_with("Modelica."))
-        return phrase(
-            "the Modelica Standard Library is not part of Analogon: use Analogon's blocks, or declare what you "
-            "need");
     const std::string best = suggestion(misspelt, names);
     return best.empty() ? Text() : phrase("did you mean '{}'?", best);
 }

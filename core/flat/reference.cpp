@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/flat/binder.hpp"
 #include "core/flat/events.hpp"
@@ -79,9 +80,11 @@ std::optional<Value> Translator::chosenFrom(const Value& array, const std::vecto
         if (constantNumber(index->elements[0], true)) return std::nullopt;  // known, and outside
         const auto extent = static_cast<std::size_t>(array.dimensions[d]);
         std::vector<ExpressionId> next;
+        const ExpressionId none = work_.pool.constant(std::numeric_limits<double>::quiet_NaN());
+        work_.model.events.subscripts.push_back({index->elements[0], array.dimensions[d], subscripts[d].span});
         for (std::size_t block = 0; block < elements.size(); block += extent) {
-            ExpressionId chosen = elements[block + extent - 1];
-            for (std::size_t k = extent - 1; k-- > 0;)
+            ExpressionId chosen = none;
+            for (std::size_t k = extent; k-- > 0;)
                 chosen = work_.pool.ifThenElse(work_.pool.binary(Operation::Equal, index->elements[0],
                                                                  work_.pool.constant(static_cast<double>(k + 1))),
                                                elements[block + k], chosen);
@@ -125,6 +128,7 @@ bool Translator::setLocal(const std::string& name, Value value) {
 }
 
 void Translator::reportUnknown(const syntax::Name& name, const Scope& scope, const Span& span) {
+    if (work_.isOfMissingLibrary(name, scope.lexical)) return;
     const std::string& first = name.parts.front().identifier;
     std::vector<std::string> candidates{"time"};
     if (scope.instance) candidates = scope.instance->elementNames();
@@ -220,10 +224,8 @@ Element* Translator::memberOf(Instance& instance, const std::string& identifier,
                              phrase("use a public variable, or make it public where it is declared"));
         return nullptr;
     }
-    // "outer" has been refused where it is declared
-    const bool isTold = element->state == Element::State::Failed && element->original->isOuter;
     if (!work_.instantiator->ensure(instance, *element)) {
-        if (!isTold)
+        if (!work_.messages.hasErrors())  // else why it could not be has been said
             work_.messages.error(phrase("'{}' could not be instantiated", instance.memberName(identifier)), span);
         return nullptr;
     }
@@ -347,7 +349,7 @@ std::optional<Value> Translator::valueOf(const Slice& slice) {
     value.type = element.type.builtin;
     value.dimensions = slice.dimensions;
     if (!spend(slice.variables.size(), element.declaration->nameSpan)) return std::nullopt;
-    if (element.type.enumeration) value.enumeration = element.type.className;
+    value.enumeration = element.type.enumerationName();
     for (VariableId id : slice.variables) {
         if (value.type != FlatType::String) {
             const auto set = overlay_.empty() ? overlay_.end() : overlay_.find(id.value);

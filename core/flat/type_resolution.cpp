@@ -57,10 +57,7 @@ std::optional<ResolvedType> Instantiator::resolveType(const syntax::Name& name, 
     }
     const LibraryClass* found = work_.lookup(name, scope.lexical);
     if (!found) {
-        work_.messages.error(
-            scope.lexical ? phrase("the class '{}' is not known in '{}'", name.text(), scope.lexical->qualifiedName)
-                          : phrase("the class '{}' is not known", name.text()),
-            name.span, didYouMean(name.text(), work_.library.names()));
+        work_.reportUnknownClass(name, scope.lexical);
         return std::nullopt;
     }
     if (!isReachedUnmodified(name, scope, *found)) return std::nullopt;

@@ -8,6 +8,7 @@
 
 #include "core/base/text.hpp"
 #include "core/library/lazy_packages.hpp"
+#include "core/library/moved_classes.hpp"
 #include "core/library/name_search.hpp"
 #include "core/library/package_loader.hpp"
 #include "core/syntax/parser.hpp"
@@ -163,10 +164,13 @@ const LibraryClass* Library::find(std::string_view qualifiedName) const {
     const auto entry = classes.find(qualifiedName);
     if (entry != classes.end()) return entry->second.get();
     if (const LibraryClass* builtin = builtinClass(qualifiedName)) return builtin;
-    if (!lazy_) return nullptr;
     const std::string_view root = qualifiedName.substr(0, qualifiedName.find('.'));
-    if (classes.contains(root)) return nullptr;  // a package of the study is whole
-    return lazy_->find(qualifiedName, usedVersion(root));
+    const bool isWhole = classes.contains(root);  // a package of the study
+    if (lazy_ && !isWhole)
+        if (const LibraryClass* found = lazy_->find(qualifiedName, usedVersion(root))) return found;
+    if (!lazy_ && !isWhole) return nullptr;
+    const std::string now = newName(qualifiedName);
+    return now.empty() ? nullptr : find(now);
 }
 
 /// What an annotation uses(Package(version = "…")) of the study's own classes says; empty: nothing.

@@ -39,7 +39,8 @@ public:
     /// What is wrong with the files of searched directories that were read so far.
     Diagnostics lazyFaults() const;
 
-    /// By its full name ("Analogon.Mechanics.Inertia"); null when unknown.
+    /// By its full name ("Analogon.Mechanics.Inertia"), or by one that it had in an older version of its library; null
+    /// when unknown.
     const LibraryClass* find(std::string_view qualifiedName) const;
 
     /// Looks a name up as the specification says: from the scope (a qualified class name) outward, through

@@ -37,12 +37,19 @@ bool holds(Operation operation, double difference) {
 }
 bool isUpward(Operation operation) { return operation == Operation::Greater || operation == Operation::GreaterEqual; }
 
+/// A sample: when it came, and how often.
+struct Clock {
+    double start{}, interval{}, count{};
+    double next() const { return start + count * interval; }
+};
+
 class EventRun {
 public:
     EventRun(const HybridModel& model, const System& system, const std::vector<std::string>& names,
              const EventRunOptions& options, const Progress& progress)
         : model_(model),
           system_(system),
+          names_(names),
           options_(options),
           progress_(progress),
           workspace_(system.workspace(0)),
@@ -61,10 +68,6 @@ public:
             if (slot == slotOf.end()) observed.push_back(name);
         }
         handles_ = system.observe(observed);
-        for (const HybridModel::Sample& sample : model.samples) {
-            const double k = std::ceil((options.start - sample.start) / sample.interval - 1e-9);
-            sampleCount_.push_back(std::max(0.0, k));
-        }
     }
 
     Outcome<EventTrajectory> run() {
@@ -138,7 +141,7 @@ private:
                 continue;
             }
             double next = slot;
-            if (isFirst)
+            if (isFirst || difference == 0)  // exactly there the relation itself decides
                 next = holds(r.operation, difference);
             else if (std::fabs(difference) > hysteresis)
                 next = (difference > 0) == isUpward(r.operation);
@@ -171,6 +174,20 @@ private:
         }
     }
 
+    /// Ends the run; where a subscript has left its array, that is why.
+    bool hasNoValue(const std::string& variable) {
+        for (const HybridModel::Subscript& s : model_.subscripts) {
+            const double index = values_[static_cast<std::size_t>(s.index)];
+            if (index >= 1 && index <= s.extent) continue;
+            faults_.push_back(error(phrase("at t = {:.6g} s: '{}' has no value: the subscript {} is outside 1:{}",
+                                           time_, variable, index, s.extent),
+                                    s.span));
+            faults_.back().isNumerical = true;
+            return false;
+        }
+        return failed(phrase("'{}' has no value", variable));
+    }
+
     void name(std::string& changed, int slot) { changed = model_.slots[static_cast<std::size_t>(slot)]; }
 
     /// Continuous and discrete quantities in turn, until neither moves.
@@ -178,12 +195,12 @@ private:
         std::string changed;
         for (int round = 0; round < mostIterations; ++round) {
             const std::vector<double> before = slots_;
-            if (!takeSlots()) return failed(phrase("'{}' has no value", system_.failure(workspace_)));
+            if (!takeSlots()) return hasNoValue(system_.failure(workspace_));
             if (isInitial && n_ > 0 && !system_.initialise(workspace_, time_, u_, x_))
                 isRound_ = false;
             else
                 isRound_ = read(time_, x_.data(), readings_);
-            if (!isRound_ && round > 20) return failed(phrase("'{}' has no value", system_.failure(workspace_)));
+            if (!isRound_ && round > 20) return hasNoValue(system_.failure(workspace_));
             model_.program.run(slots_, readings_, time_, values_);
             judge(round == 0 ? crossed : std::set<int>{}, isInitial && round < 20, round >= 10);
             model_.program.run(slots_, readings_, time_, values_);
@@ -192,6 +209,7 @@ private:
                 const double value = values_[static_cast<std::size_t>(a.step)];
                 if (value != slot) name(changed, a.slot);
                 slot = value;
+                if (std::isnan(value) && isRound_) return hasNoValue(changed);
             }
             if (slots_ == before && isRound_) return true;
             if (round > 0 && slots_ != before) {
@@ -280,11 +298,6 @@ private:
 
     bool initialise() {
         if (model_.initial >= 0) slots_[static_cast<std::size_t>(model_.initial)] = 1;
-        for (std::size_t k = 0; k < model_.samples.size(); ++k)
-            if (nextSample(k) <= time_) {
-                slots_[static_cast<std::size_t>(model_.samples[k].slot)] = 1;
-                ++sampleCount_[k];
-            }
         // twice: what is assigned at the start may read what the start decides
         for (int round = 0; round < 2; ++round) {
             model_.program.run(slots_, readings_, time_, values_);
@@ -292,23 +305,45 @@ private:
                 slots_[static_cast<std::size_t>(a.slot)] = values_[static_cast<std::size_t>(a.step)];
             if (!settle({}, true)) return false;
         }
+        if (!startClocks()) return false;
         if (model_.initial >= 0) slots_[static_cast<std::size_t>(model_.initial)] = 0;
         for (const auto& [before, of] : model_.pres)
             slots_[static_cast<std::size_t>(before)] = slots_[static_cast<std::size_t>(of)];
+        // sample() is false while the start is found, and true in the first event behind it (section 3.7.5)
+        for (std::size_t k = 0; k < clocks_.size(); ++k)
+            if (clocks_[k].next() <= time_) {
+                slots_[static_cast<std::size_t>(model_.samples[k].slot)] = 1;
+                ++clocks_[k].count;
+            }
         if (!event({})) return false;
         return record();
     }
 
     // ----------------------------------------------------------------------------------------------- integration
 
-    double nextSample(std::size_t k) const {
-        return model_.samples[k].start + sampleCount_[k] * model_.samples[k].interval;
+    /// When each sample comes, by what the start has found.
+    bool startClocks() {
+        for (const HybridModel::Sample& sample : model_.samples) {
+            Clock clock{values_[static_cast<std::size_t>(sample.start)],
+                        values_[static_cast<std::size_t>(sample.interval)], 0};
+            if (!(clock.interval > 0) || !std::isfinite(clock.start)) {
+                faults_.push_back(
+                    error(phrase("'sample' begins at {} s with an interval of {} s: it needs a number and "
+                                 "an interval above 0",
+                                 clock.start, clock.interval),
+                          sample.span));
+                return false;
+            }
+            clock.count = std::max(0.0, std::ceil((options_.start - clock.start) / clock.interval - 1e-9));
+            clocks_.push_back(clock);
+        }
+        return true;
     }
 
     /// The next time at which something happens that is known in advance.
     double nextTimeEvent() const {
         double next = never;
-        for (std::size_t k = 0; k < model_.samples.size(); ++k) next = std::min(next, nextSample(k));
+        for (const Clock& clock : clocks_) next = std::min(next, clock.next());
         const double least = time_ + 2e-13 * std::max(1.0, std::fabs(time_));
         for (const HybridModel::Relation& r : model_.relations) {
             if (!r.isOfTime) continue;
@@ -411,7 +446,7 @@ private:
         const double known = nextTimeEvent();
         const double stop = std::min(known, options_.stop);
         const bool isKnown = known <= options_.stop + 1e-13 * std::max(1.0, std::fabs(options_.stop));
-        if (!takeSlots()) return failed(phrase("'{}' has no value", system_.failure(workspace_)));
+        if (!takeSlots()) return hasNoValue(system_.failure(workspace_));
         if (stop <= time_ + 1e-13 * std::max(1.0, std::fabs(time_))) {
             time_ = stop;
             return timeEvent(isKnown);
@@ -457,9 +492,9 @@ private:
     bool timeEvent(bool isEvent) {
         if (!isEvent) return record();
         for (std::size_t k = 0; k < model_.samples.size(); ++k)
-            if (nextSample(k) <= time_ + 1e-13 * std::max(1.0, std::fabs(time_))) {
+            if (clocks_[k].next() <= time_ + 1e-13 * std::max(1.0, std::fabs(time_))) {
                 pending_.push_back(model_.samples[k].slot);
-                ++sampleCount_[k];
+                ++clocks_[k].count;
             }
         return handle({});
     }
@@ -469,7 +504,7 @@ private:
             return failed(phrase("more than {} events", options_.mostEvents));
         if (!record()) return false;  // as it was right before
         if (!model_.leftLimits.empty() && !read(time_, x_.data(), readings_))
-            return failed(phrase("'{}' has no value", system_.failure(workspace_)));
+            return hasNoValue(system_.failure(workspace_));
         for (const int slot : pending_) slots_[static_cast<std::size_t>(slot)] = 1;
         pending_.clear();
         if (!event(crossed) || !record()) return false;
@@ -483,13 +518,12 @@ private:
     }
 
     bool record() {
-        if (!takeSlots()) return failed(phrase("'{}' has no value", system_.failure(workspace_)));
+        if (!takeSlots()) return hasNoValue(system_.failure(workspace_));
         std::vector<double> observed(handles_.size());
         if (!system_.observed(workspace_, time_, {x_.data(), n_}, u_, handles_, observed))
-            return failed(phrase("'{}' has no value", system_.failure(workspace_)));
-        if (!model_.checks.empty()) {
-            if (!read(time_, x_.data(), readings_))
-                return failed(phrase("'{}' has no value", system_.failure(workspace_)));
+            return hasNoValue(system_.failure(workspace_));
+        if (!model_.checks.empty() || !model_.subscripts.empty()) {
+            if (!read(time_, x_.data(), readings_)) return hasNoValue(system_.failure(workspace_));
             model_.program.run(slots_, readings_, time_, values_);
             if (!check()) return false;
         }
@@ -497,6 +531,9 @@ private:
         for (std::size_t i = 0; i < row.size(); ++i)
             row[i] = source_[i].first >= 0 ? slots_[static_cast<std::size_t>(source_[i].first)]
                                            : observed[static_cast<std::size_t>(source_[i].second)];
+        if (!model_.subscripts.empty())
+            for (std::size_t i = 0; i < row.size(); ++i)
+                if (std::isnan(row[i])) return hasNoValue(names_[i]);
         result_.time.push_back(time_);
         result_.rows.push_back(std::move(row));
         return true;
@@ -504,6 +541,7 @@ private:
 
     const HybridModel& model_;
     const System& system_;
+    const std::vector<std::string>& names_;
     const EventRunOptions& options_;
     const Progress& progress_;
     Workspace workspace_;
@@ -511,7 +549,7 @@ private:
     std::vector<double> slots_, readings_, rootReadings_, x_, u_, values_, taken_;
     std::vector<std::pair<int, int>> source_;  // by name: slot, or -1 and which of the observed
     std::vector<int> handles_;
-    std::vector<double> sampleCount_;
+    std::vector<Clock> clocks_;   // by sample
     std::size_t lastSwitched_{};  // relation
     std::vector<int> pending_;    // samples that come true at this event
     std::set<std::size_t> warned_;

@@ -366,6 +366,7 @@ private:
             reinit.value = frozen(reinit.value);
         }
         for (FlatEvents::Check& check : events_.checks) check.condition = frozen(check.condition);
+        for (FlatEvents::Subscript& subscript : events_.subscripts) subscript.index = frozen(subscript.index);
     }
 
     // --------------------------------------------------------------------------------------------- the program
@@ -431,19 +432,11 @@ private:
         for (const FlatEvents::Check& check : events_.checks)
             out_.checks.push_back(
                 {step(check.condition), check.message, check.isWarning, check.isTerminate, check.span});
-        for (const FlatEvents::Sample& sample : events_.samples) {
-            const auto number = [&](ExpressionId id) {
-                return pool().evaluate(id, [&](const ExpressionNode& leaf) {
-                    return leaf.operation == Variable ? model_->parameterValue(leaf.variable).value_or(std::nan(""))
-                                                      : std::nan("");
-                });
-            };
-            out_.samples.push_back({slotOf_[sample.flag.value], number(sample.start), number(sample.interval)});
-            if (!(out_.samples.back().interval > 0) || !std::isfinite(out_.samples.back().start))
-                faults_.push_back(error(phrase("'sample' takes a start and an interval that are known before the "
-                                               "simulation"),
-                                        variable(sample.flag).declared));
-        }
+        for (const FlatEvents::Sample& sample : events_.samples)
+            out_.samples.push_back({slotOf_[sample.flag.value], step(sample.start), step(sample.interval),
+                                    variable(sample.flag).declared});
+        for (const FlatEvents::Subscript& subscript : events_.subscripts)
+            out_.subscripts.push_back({step(subscript.index), subscript.extent, subscript.span});
         out_.program.tables = pool().tables();
     }
 

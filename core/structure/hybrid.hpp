@@ -54,7 +54,14 @@ struct HybridModel {
     };
     struct Sample {
         int slot{};
-        double start{}, interval{};
+        int start{}, interval{};  // steps; what they read is found at the start and stays
+        Span span;
+    };
+    /// A subscript that must lie in 1:extent.
+    struct Subscript {
+        int index{};  // a step
+        int extent{};
+        Span span;
     };
     struct Reinit {
         int condition{}, value{};  // steps
@@ -83,6 +90,7 @@ struct HybridModel {
     std::vector<Sample> samples;
     std::vector<Reinit> reinits;
     std::vector<Check> checks;
+    std::vector<Subscript> subscripts;
 };
 
 Outcome<HybridModel> partition(const FlatModel& model);

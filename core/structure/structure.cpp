@@ -61,7 +61,11 @@ namespace {
 
 Outcome<Structure> analysed(const std::shared_ptr<const FlatModel>& model, const StructureOptions& options) {
     Structure out;
-    if (!model->events.refusals.empty()) return model->events.refusals;
+    if (!model->events.refusals.empty()) return model->events.refusals.front();  // one says what the model is
+    for (const FlatEvents::Check& check : model->events.checks)
+        if (!check.isTerminate)
+            out.warnings.push_back(warning(
+                phrase("the assertion is not checked: its condition changes while the model runs"), check.span));
     Outcome<FoldedModel> folded = fold(*model, options);
     if (!folded) return folded.diagnostics();
     out.equationsBefore = static_cast<int>(folded->system.equations.size());

@@ -45,7 +45,8 @@ const FlatVariable* ParameterReader::find(const std::string& name, const std::st
     const FlatVariable& variable = model_[id];
     Text reason;
     if (variable.isStructural) reason = phrase("a size or a condition that has shaped the equations");
-    if (variable.variability == FlatVariability::Continuous) reason = phrase("a variable");
+    if (variable.variability == FlatVariability::Continuous)
+        reason = variable.isFoundAtStart ? phrase("computed by an initial equation") : phrase("a variable");
     if (variable.variability == FlatVariability::Constant) reason = phrase("a constant");
     if (variable.type != FlatType::Real) reason = phrase("no real number");
     if (variable.isFinal) reason = phrase("declared final");
@@ -82,12 +83,24 @@ void ParameterReader::read(std::vector<FitParameter>& fitted, std::vector<std::p
         }
         const FlatVariable* variable = settable(name, pointer);
         if (!variable || (parameter.value && !isWithin(*variable, *parameter.value, pointer + "/value"))) continue;
+        if (parameter.fit) tellWhatIsPassedOver(*variable, pointer);
         if (parameter.fit) {
             readFitted(name, parameter, *variable, pointer, fitted);
         } else if (parameter.value) {
             set.emplace_back(name, *parameter.value);
         }
     }
+}
+
+/// A fit takes the place of a binding to other parameters, and reaches what the model protects.
+void ParameterReader::tellWhatIsPassedOver(const FlatVariable& variable, const std::string& pointer) {
+    if (variable.isProtected)
+        said_.push_back(places_.remark(
+            pointer, phrase("'{}' is protected in the model; it is fitted all the same", variable.name)));
+    if (variable.binding.valid() && !model_.pool->leaves(std::span(&variable.binding, 1)).empty())
+        said_.push_back(places_.remark(
+            pointer, phrase("the model sets '{}' to {}; the fit gives it a value of its own", variable.name,
+                            model_.pool->print(variable.binding, [&](VariableId v) { return model_[v].name; }))));
 }
 
 /// The range of the declaration holds for a fit, too: a bound beyond it is taken back to it.

@@ -30,6 +30,7 @@ private:
     const FlatVariable* find(const std::string& name, const std::string& pointer, bool isStart);
     void readFitted(const std::string& name, const StudyParameter& parameter, const FlatVariable& variable,
                     const std::string& pointer, std::vector<FitParameter>& fitted);
+    void tellWhatIsPassedOver(const FlatVariable& variable, const std::string& pointer);
     void setBounds(const StudyParameter& parameter, const FlatVariable& variable, const std::string& pointer,
                    FitParameter& fitted);
     void checkClock(const std::string& output, const std::string& pointer);

@@ -6954,6 +6954,18 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>als final deklariert</translation>
     </message>
     <message>
+        <source>computed by an initial equation</source>
+        <translation>von einer Anfangsgleichung berechnet</translation>
+    </message>
+    <message>
+        <source>'{}' is protected in the model; it is fitted all the same</source>
+        <translation>„{}“ ist im Modell geschützt; angepasst wird es trotzdem</translation>
+    </message>
+    <message>
+        <source>the model sets '{}' to {}; the fit gives it a value of its own</source>
+        <translation>das Modell setzt „{}“ auf {}; die Anpassung gibt ihm einen eigenen Wert</translation>
+    </message>
+    <message>
         <source>protected</source>
         <translation>geschützt</translation>
     </message>
@@ -7442,8 +7454,24 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Bauteil „{}“ ({})</translation>
     </message>
     <message>
-        <source>the Modelica Standard Library is not part of Analogon: use Analogon's blocks, or declare what you need</source>
-        <translation>die Modelica Standard Library gehört nicht zu Analogon: Blöcke von Analogon verwenden, oder deklarieren, was gebraucht wird</translation>
+        <source>'{}' belongs to the Modelica Standard Library, which was not found</source>
+        <translation>„{}“ gehört zur Modelica Standard Library, die nicht gefunden wurde</translation>
+    </message>
+    <message>
+        <source>name the directory that holds it in MODELICAPATH or with --library</source>
+        <translation>das Verzeichnis, in dem sie liegt, in MODELICAPATH oder mit --library nennen</translation>
+    </message>
+    <message>
+        <source>name the directory that holds it in MODELICAPATH or with --library; the nearest of Analogon's own classes is {}</source>
+        <translation>das Verzeichnis, in dem sie liegt, in MODELICAPATH oder mit --library nennen; die nächste eigene Klasse von Analogon ist {}</translation>
+    </message>
+    <message>
+        <source>'{}' is called '{}' in the library that was found</source>
+        <translation>„{}“ heißt in der gefundenen Bibliothek „{}“</translation>
+    </message>
+    <message>
+        <source>the newer name is taken; write it to be independent of the version</source>
+        <translation>der neuere Name wird genommen; ihn schreiben, um nicht von der Version abzuhängen</translation>
     </message>
     <message>
         <source>did you mean '{}'?</source>
@@ -9122,6 +9150,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>die diskreten Größen kommen nicht zur Ruhe: '{}' schaltet weiter</translation>
     </message>
     <message>
+        <source>'sample' begins at {} s with an interval of {} s: it needs a number and an interval above 0</source>
+        <translation>„sample“ beginnt bei {} s mit einem Abstand von {} s: nötig sind eine Zahl und ein Abstand über 0</translation>
+    </message>
+    <message>
+        <source>at t = {:.6g} s: '{}' has no value: the subscript {} is outside 1:{}</source>
+        <translation>bei t = {:.6g} s: „{}“ hat keinen Wert: der Index {} liegt außerhalb von 1:{}</translation>
+    </message>
+    <message>
         <source>reinit: '{}' is no state of the model</source>
         <translation>reinit: '{}' ist kein Zustand des Modells</translation>
     </message>
@@ -9454,12 +9490,28 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>externe Funktionen werden nicht unterstützt</translation>
     </message>
     <message>
-        <source>&quot;{}&quot; components are not supported</source>
-        <translation>Komponenten mit „{}“ werden nicht unterstützt</translation>
+        <source>a component that is &quot;inner&quot; and &quot;outer&quot; at once is not supported</source>
+        <translation>eine Komponente, die zugleich „inner“ und „outer“ ist, wird nicht unterstützt</translation>
     </message>
     <message>
-        <source>connect the component explicitly</source>
-        <translation>die Komponente ausdrücklich verbinden</translation>
+        <source>give the inner one a name of its own</source>
+        <translation>der inneren einen eigenen Namen geben</translation>
+    </message>
+    <message>
+        <source>the outer component '{}' cannot be modified: it is the one of an instance around it</source>
+        <translation>die äußere Komponente „{}“ lässt sich nicht ändern: sie ist die einer umgebenden Instanz</translation>
+    </message>
+    <message>
+        <source>modify the inner component</source>
+        <translation>die innere Komponente ändern</translation>
+    </message>
+    <message>
+        <source>the outer component '{}' of {} has no inner one around it</source>
+        <translation>für die äußere Komponente „{}“ von {} gibt es ringsum keine innere</translation>
+    </message>
+    <message>
+        <source>declare it in a model that holds this one: inner {} {}</source>
+        <translation>sie in einem Modell deklarieren, das dieses enthält: inner {} {}</translation>
     </message>
     <message>
         <source>stream variables are not supported</source>

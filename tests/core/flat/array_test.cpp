@@ -141,5 +141,17 @@ TEST(Arrays, ALoopOverALongArrayCostsWhatItsElementsCost) {
     EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 5);
 }
 
+TEST(Arrays, ASizeMaySpeakOfTheSizesBeforeIt) {
+    const FlatModel m = flatOf(R"(
+        block S parameter Real A[:, size(A, 1)] = [1, 2; 3, 4]; parameter Real B[size(A, 1), :] = [5; 6];
+          Real x[size(A, 1)] = A*{1, 1}; end S;
+        model M S s, t(A = identity(3), B = ones(3, 2), x = zeros(3)); end M;)");
+    EXPECT_EQ(valueOf(m, "s.A[2,1]"), 3);
+    EXPECT_TRUE(m.find("t.A[3,3]").valid());
+    EXPECT_TRUE(m.find("t.B[3,2]").valid());
+    EXPECT_THAT(faultsOf("model M parameter Real A[size(A, 2), :] = [1, 2]; end M;"),
+                ElementsAre(HasSubstr("the size or condition of 'A' depends on itself")));
+}
+
 }  // namespace
 }  // namespace analogon

@@ -116,6 +116,48 @@ TEST(Connect, EveryInputNeedsOneSource) {
                 ElementsAre(HasSubstr("the input 'h.u' is connected and has a value as well")));
 }
 
+TEST(Connect, AProtectedConnectorOfTheClassIsAVariableBetweenTheOthers) {
+    const FlatModel m = flatOf(R"(
+        block Chosen
+          parameter Boolean fromOutside = true; parameter Real k = 5;
+          Parts.RealInput u if fromOutside; Parts.RealOutput y;
+        protected
+          Parts.RealInput used; Constant own(k = k) if not fromOutside;
+        equation connect(u, used); connect(own.y, used); y = 2*used; end Chosen;
+        block Constant parameter Real k; Parts.RealOutput y; equation y = k; end Constant;
+        model M Chosen a, b(fromOutside = false); Parts.RealInput u; equation connect(u, a.u); end M;)");
+    EXPECT_THAT(equations(m), Contains("a.used = a.u"));
+    EXPECT_THAT(equations(m), Contains("b.used = b.own.y"));
+}
+
+TEST(Connect, AProtectedComponentHasInputsLikeAnyOther) {
+    const FlatModel m = flatOf(R"(
+        model N Parts.RealInput u; Parts.RealOutput y; protected Parts.Gain g;
+        equation connect(u, g.u); connect(g.y, y); end N;
+        model M N n; Parts.RealInput u; equation connect(u, n.u); end M;)");
+    EXPECT_THAT(equations(m), Contains("n.g.u = n.u"));
+    EXPECT_THAT(faultsOf("model M protected Parts.Gain g; end M;"),
+                ElementsAre(HasSubstr("the input 'g.u' of component 'g' (Parts.Gain) is not connected")));
+}
+
+TEST(Connect, TheValueThatAnInputHasInItsOwnClassIsAnEquation) {
+    const FlatModel m = flatOf(R"(
+        model Pump
+          parameter Boolean isDriven = false; parameter Real constant_ = 3;
+          Parts.RealInput flow_(unit = "m3/s") = inside if isDriven;
+          Real y;
+        protected
+          Real inside;
+        equation
+          if not isDriven then inside = constant_; end if;
+          y = 2*inside;
+        end Pump;
+        model M Pump a(isDriven = true), b; Parts.RealInput u; equation connect(u, a.flow_); end M;)");
+    EXPECT_THAT(equations(m), Contains("a.flow_ = a.inside"));
+    EXPECT_THAT(equations(m), Contains("a.flow_ = u"));
+    EXPECT_THAT(equations(m), Contains("b.inside = b.constant_"));
+}
+
 TEST(Connect, AnEquationMaySetTheInputOfAComponent) {
     const FlatModel m = flatOf("model M input Real x; Parts.Gain g; equation g.u = 2*x + 1; end M;");
     EXPECT_THAT(equations(m), Contains("g.u = 2*x + 1"));

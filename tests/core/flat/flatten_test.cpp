@@ -148,7 +148,8 @@ TEST(Flatten, KnowsTheInterpolationOfTheStandardLibrary) {
     EXPECT_THAT(faultsOf("model M Real y = Modelica.Math.Vectors.interpolate({1, 0}, {0, 2}, time); end M;"),
                 ElementsAre(HasSubstr("the abscissas of the table must rise: 0 follows 1")));
     EXPECT_THAT(faultsOf("model M Real y = Modelica.Constants.pi; end M;"),
-                ElementsAre(HasSubstr("the Modelica Standard Library is not part of Analogon")));
+                ElementsAre(HasSubstr(
+                    "'Modelica.Constants.pi' belongs to the Modelica Standard Library, which was not found")));
 }
 
 TEST(Flatten, AnIntegerHasNoDerivative) {
@@ -288,6 +289,20 @@ equation
   der(x) = (if on then u else b) - a*x;
 end M;
 )");
+}
+
+TEST(Flatten, AnEnumerationIsTheSameUnderEveryShortClass) {
+    const FlatModel m = flatOf(R"(
+        package P
+          type Level = enumeration(low, high);
+          connector In = input Level; connector Out = output Level;
+        end P;
+        model Source P.Out y; equation y = if time < 1 then P.Level.low else P.Level.high; end Source;
+        model M P.In u; P.Out w; Boolean isHigh; Source s; equation connect(s.y, w); isHigh = u == P.Level.high; end M;)");
+    EXPECT_THAT(texts(m, m.equations), Contains("isHigh = u == 2"));
+    EXPECT_THAT(faultsOf("package P type A = enumeration(a); type B = enumeration(a); connector In = input A; end P; "
+                         "model M P.In u; Boolean b = u == P.B.a; end M;"),
+                ElementsAre(HasSubstr("'==' cannot compare P.A with P.B")));
 }
 
 }  // namespace

@@ -375,6 +375,18 @@ TEST_F(LibraryTest, ADirectoryOfPackagesIsReadByNeed) {
     EXPECT_TRUE(more->isDerived("Own", "Plant.Top"));
 }
 
+TEST_F(LibraryTest, AnOlderNameLeadsToWhatTheClassIsCalledNow) {
+    // a library of the names of today, read by need
+    write("lib/Modelica/package.mo", "package Modelica end Modelica;");
+    write("lib/Modelica/Units.mo", "within Modelica; package Units package SI type Angle = Real; end SI; end Units;");
+    const auto library = Library().withPath(root_ / "lib");
+    ASSERT_TRUE(library) << format(library.diagnostics());
+    const LibraryClass* angle = library->lookup("Modelica.SIunits.Angle", "");
+    ASSERT_NE(angle, nullptr);
+    EXPECT_EQ(angle->qualifiedName, "Modelica.Units.SI.Angle");
+    EXPECT_EQ(library->find("Modelica.SIunits.Length"), nullptr);
+}
+
 TEST_F(LibraryTest, OfSeveralVersionsTheUsedOneIsTaken) {
     for (const char* version : {"3.2.3", "4.0.0", "4.1.0", "10.0.0"})
         write(std::string("Mo ") + version + "/package.mo",

@@ -90,6 +90,75 @@ TEST(EventRun, SamplesComeAtTheirTimesAndSeeTheValueBefore) {
     EXPECT_NEAR(run.last("z"), 0.6, 1e-9);
 }
 
+TEST(EventRun, TheFirstSampleComesInTheEventBehindTheStart) {
+    // while the start is found sample() is false
+    const Simulated run = runOf(R"(
+        model M Boolean tick, first(start = false, fixed = true); Integer n(start = 0, fixed = true);
+        equation
+          tick = sample(0, 0.1);
+          when tick then first = time <= 0.05; n = pre(n) + 1; end when;
+        end M;)",
+                                {"first", "n", "tick"}, 0.25);
+    ASSERT_RAN(run);
+    EXPECT_EQ(run.at(0, "n"), 1);
+    EXPECT_EQ(run.at(0.05, "first"), 1);
+    EXPECT_EQ(run.at(0.11, "first"), 0);
+    EXPECT_EQ(run.last("n"), 3);
+}
+
+TEST(EventRun, SamplesMayBeginWhereAnInitialEquationSays) {
+    const Simulated run = runOf(R"(
+        model M parameter Real f = 4; discrete Real y(start = 0, fixed = true); Real x(start = 0, fixed = true);
+          parameter Real t0(fixed = false);
+        initial equation t0 = time;
+        equation
+          der(x) = 1;
+          when sample(t0 + 1/f, 1/f) then y = f*pre(x); reinit(x, 0); end when;
+        end M;)",
+                                {"x", "y"}, 1.1);
+    ASSERT_RAN(run);
+    EXPECT_EQ(run.at(0.24, "y"), 0);
+    EXPECT_NEAR(run.at(0.26, "y"), 1, 1e-6);
+    EXPECT_NEAR(run.at(0.6, "x"), 0.1, 1e-3);
+    const Simulated bad = runOf(
+        "model M parameter Real d = 0; Integer n(start = 0, fixed = true); equation "
+        "when sample(0, d) then n = pre(n) + 1; end when; end M;",
+        {"n"});
+    ASSERT_FALSE(bad.faults.empty());
+    EXPECT_THAT(format(bad.faults), HasSubstr("with an interval of 0 s"));
+}
+
+TEST(EventRun, OnTheBorderTheRelationItselfDecides) {
+    // the ramp ends in an event, and there the difference is 0 exactly
+    const Simulated run = runOf(R"(
+        model M Real f; Boolean free;
+        equation
+          f = 1 - (if time < 0.5 then 2*time else 1);
+          free = 100*f <= 0;
+        end M;)",
+                                {"f", "free"});
+    ASSERT_RAN(run);
+    EXPECT_EQ(run.at(0.49, "free"), 0);
+    EXPECT_EQ(run.at(0.51, "free"), 1);
+}
+
+TEST(EventRun, ASubscriptThatLeavesItsArrayEndsTheSimulation) {
+    const std::string model = R"(
+        model M parameter Real a[3] = {10, 20, 30}; Integer k; Real y;
+        equation k = integer(4*time) + 1; y = )";
+    const Simulated run = runOf(model + "a[k]; end M;", {"y"}, 0.6);
+    ASSERT_RAN(run);
+    EXPECT_EQ(run.at(0.3, "y"), 20);
+    EXPECT_EQ(run.last("y"), 30);
+    const Simulated outside = runOf(model + "a[k]; end M;", {"y"}, 1);
+    ASSERT_FALSE(outside.faults.empty());
+    EXPECT_THAT(format(outside.faults), HasSubstr("at t = 0.75 s"));
+    EXPECT_THAT(format(outside.faults), HasSubstr("the subscript 4 is outside 1:3"));
+    const Simulated guarded = runOf(model + "if k <= 3 then a[k] else -1; end M;", {"y"}, 1);
+    ASSERT_RAN(guarded);
+    EXPECT_EQ(guarded.last("y"), -1);
+}
+
 TEST(EventRun, TimeEventsAreExactAndTheFirstActiveBranchCounts) {
     const Simulated run = runOf(R"(
         model M Real y; discrete Real a(start = 0, fixed = true); Boolean late;
