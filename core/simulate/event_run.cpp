@@ -177,6 +177,7 @@ private:
     /// Ends the run; where a subscript has left its array, that is why.
     bool hasNoValue(const std::string& variable) {
         for (const HybridModel::Subscript& s : model_.subscripts) {
+            if (values_.empty()) break;  // nothing was worked out yet
             const double index = values_[static_cast<std::size_t>(s.index)];
             if (index >= 1 && index <= s.extent) continue;
             faults_.push_back(error(phrase("at t = {:.6g} s: '{}' has no value: the subscript {} is outside 1:{}",
