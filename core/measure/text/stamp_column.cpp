@@ -378,9 +378,9 @@ std::int64_t firstOf(const std::vector<std::int64_t>& moments) {
 void putSeconds(RawTable& raw, std::size_t index, const std::vector<std::int64_t>& moments, std::int64_t zero) {
     Column& column = raw.table.columns[index];
     column.values.clear();
-    column.values.reserve(raw.stamps[index].size());
+    column.values.reserve(raw.table.lines.size());
     column.blanks.clear();
-    for (std::size_t row = 0; row < raw.stamps[index].size(); ++row) {
+    for (std::size_t row = 0; row < raw.table.lines.size(); ++row) {
         const bool isMissing = row >= moments.size() || moments[row] == none;
         if (isMissing) column.blanks.push_back({static_cast<std::uint32_t>(row), 0});
         column.values.push_back(isMissing ? std::numeric_limits<double>::quiet_NaN()
@@ -388,7 +388,6 @@ void putSeconds(RawTable& raw, std::size_t index, const std::vector<std::int64_t
     }
     column.unit = "s";
     raw.kinds[index] = CellKind::Number;
-    raw.stamps[index] = {};
 }
 
 }  // namespace
@@ -409,6 +408,7 @@ Outcome<std::string> makeSeconds(RawTable& raw, const ReadOptions& options, Ques
         const std::int64_t first = firstOf(column.moments());
         std::int64_t& zero = column.isAbsolute() ? firstDate : firstClock;
         if (first != none && !column.countsFromStart() && (zero == none || first < zero)) zero = first;
+        raw.stamps[i] = {};  // of a long recording they are more than its seconds
     }
     if (columns.empty() && isStampFormat(options.timeFormat))
         return fileError(phrase("no column is a time of the form '{}'", cited(options.timeFormat)), raw.table.file, 0,
