@@ -10,10 +10,10 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QStackedLayout>
 #include <QTableView>
 #include <QTimer>
-#include <set>
 #include <utility>
 
 #include "core/measure/all_channels.hpp"
@@ -23,6 +23,8 @@
 #include "ui/document/document.hpp"
 #include "ui/measurement/channel_browser.hpp"
 #include "ui/measurement/mapping.hpp"
+#include "ui/measurement/question_card.hpp"
+#include "ui/measurement/read_fields.hpp"
 #include "ui/measurement/table_model.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
@@ -32,22 +34,18 @@ namespace analogon::ui {
 
 namespace {
 
-/// The first lines of a file, and those around what is wrong.
-std::vector<FileLine> linesOf(const QString& path, const Diagnostics& problems) {
-    constexpr int first = 200, around = 3, longest = 500;  // characters
-    std::set<int> faulty;
-    for (const Diagnostic& d : problems)
-        if (d.place.line > 0) faulty.insert(d.place.line);
-    QFile file(path);
-    std::vector<FileLine> lines;
-    if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly)) return lines;  // a pipe may never end
-    const int last = std::max(first, faulty.empty() ? 0 : *faulty.rbegin() + around);
-    for (int number = 1; number <= last && !file.atEnd(); ++number) {
-        const QString text = QString::fromUtf8(file.readLine().trimmed().left(longest));
-        const auto near = faulty.lower_bound(number - around);
-        if (number <= first || (near != faulty.end() && *near <= number + around)) lines.push_back({number, text});
-    }
-    return lines;
+std::size_t channelsIn(const MeasurementFile& file) {
+    std::size_t count = 0;
+    for (const RecordedGroup& group : file.groups)
+        for (std::size_t i = 0; i < group.channels.size(); ++i)
+            count += group.masterChannel != i && group.channels[i].kind != ChannelKind::Text ? 1 : 0;
+    return count;
+}
+
+/// So many that one looks into the file before any is taken.
+bool hasMany(const MeasurementFile& file) {
+    constexpr std::size_t few = 12;
+    return channelsIn(file) > few;
 }
 
 }  // namespace
@@ -59,40 +57,26 @@ ImportPanel::ImportPanel(Document& document, QWidget* parent)
       title_(new QLabel(this)),
       problems_(new QLabel(this)),
       name_(new QLineEdit(this)),
-      separator_(new QComboBox(this)),
-      decimal_(new QComboBox(this)),
-      units_(new QComboBox(this)),
       time_(new QComboBox(this)),
       role_(new QComboBox(this)),
+      fields_(new ReadFields(this)),
+      question_(new QuestionCard(this)),
       converted_(new QCheckBox(tr("In SI units"), this)),
       view_(new QTableView(this)),
       browser_(new ChannelBrowser(this)),
       progress_(new QProgressBar(this)),
       choose_(new QPushButton(tr("Choose channels …"), this)),
       accept_(new QPushButton(tr("Add to the study"), this)),
-      cancel_(new QPushButton(tr("Cancel"), this)) {
+      cancel_(new QPushButton(tr("Cancel"), this)),
+      scroll_(new QScrollArea(this)) {
     style::makeHeading(title_, 1.2);
     problems_->setWordWrap(true);
-    view_->horizontalHeader()->setResizeContentsPrecision(30);  // the first rows say how wide: all would be felt
     problems_->setTextInteractionFlags(Qt::TextBrowserInteraction);
-    connect(problems_, &QLabel::linkActivated, this, [this](const QString& line) { pointAt(line.toInt()); });
     converted_->setToolTip(tr("The values as a model in SI units gets them; the file stays as it is"));
-    connect(converted_, &QCheckBox::toggled, this, [this](bool isConverted) {
-        model_->setConverted(isConverted);
-        view_->resizeColumnsToContents();
-    });
-    separator_->addItem(tr("automatic"), QString());
-    for (const auto& [text, sign] :
-         {std::pair{tr("comma"), ","}, {tr("semicolon"), ";"}, {tr("tab"), "\t"}, {tr("space"), " "}, {tr("bar"), "|"}})
-        separator_->addItem(text, QString(sign));
-    decimal_->addItem(tr("automatic"), QString());
-    decimal_->addItem(tr("point"), QStringLiteral("."));
-    decimal_->addItem(tr("comma"), QStringLiteral(","));
-    units_->addItem(tr("automatic"), QString());
-    units_->addItem(tr("yes"), QStringLiteral("1"));
-    units_->addItem(tr("no"), QStringLiteral("0"));
     role_->addItem(tr("fit"), static_cast<int>(Role::Fit));
     role_->addItem(tr("validate"), static_cast<int>(Role::Validate));
+    time_->setPlaceholderText(tr("choose it"));
+    view_->horizontalHeader()->setResizeContentsPrecision(30);  // the first rows say how wide: all would be felt
     view_->setModel(model_);
     view_->setTabKeyNavigation(false);  // else Tab never leaves a long table
     view_->setFrameShape(QFrame::NoFrame);
@@ -104,57 +88,85 @@ ImportPanel::ImportPanel(Document& document, QWidget* parent)
     view_->setAccessibleName(tr("Preview"));
     accept_->setIcon(style::icon("apply"));
     accept_->setDefault(true);
+    layOut();
+    connectFields();
+    connectReading();
+}
 
+void ImportPanel::layOut() {
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(3 * style::unit);
     grid->setVerticalSpacing(style::unit / 2);
-    int cell = 0;
-    const auto add = [&](const QString& text, QWidget* field) {
+    int column = 0;
+    for (const auto& [text, field] : std::initializer_list<std::pair<QString, QWidget*>>{
+             {tr("Experiment"), name_}, {tr("Used to"), role_}, {tr("Time column"), time_}}) {
         auto* label = new QLabel(text, this);
         label->setBuddy(field);
-        if (cell >= 3)
-            label->setContentsMargins(0, 2 * style::unit, 0, 0);  // nearer to its own field than to the upper
         field->setMinimumWidth(110);
-        // the label above its field: three columns fit into a narrow panel in any language
-        grid->addWidget(label, cell / 3 * 2, cell % 3, Qt::AlignLeft | Qt::AlignBottom);
-        grid->addWidget(field, cell / 3 * 2 + 1, cell % 3);
-        grid->setColumnStretch(cell % 3, 1);
-        ++cell;
-    };
-    add(tr("Experiment"), name_);
-    add(tr("Used to"), role_);
-    add(tr("Time column"), time_);
-    add(tr("Separator"), separator_);
-    add(tr("Decimal sign"), decimal_);
-    add(tr("Row of units"), units_);
+        grid->addWidget(label, 0, column, Qt::AlignLeft | Qt::AlignBottom);
+        grid->addWidget(field, 1, column);
+        grid->setColumnStretch(column++, 1);
+    }
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(problems_, 1);
     buttons->addWidget(progress_);
     buttons->addWidget(choose_);
     buttons->addWidget(cancel_);
     buttons->addWidget(accept_);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(style::margin, style::margin, style::margin, style::margin);
-    layout->setSpacing(2 * style::unit);
     auto* heading = new QHBoxLayout;
     heading->addWidget(title_, 1);
     heading->addWidget(converted_);
-    layout->addLayout(heading);
-    layout->addLayout(grid);
-    pages_ = new QStackedLayout;
+    shown_ = new QWidget(this);
+    pages_ = new QStackedLayout(shown_);
     pages_->addWidget(view_);
     pages_->addWidget(browser_);
-    layout->addLayout(pages_, 1);
+    view_->setMinimumHeight(6 * (fontMetrics().height() + style::unit));
+    auto* page = new QWidget(this);  // longer than the panel where much is asked
+    auto* inner = new QVBoxLayout(page);
+    inner->setContentsMargins(0, 0, 0, 0);
+    inner->setSpacing(2 * style::unit);
+    inner->addLayout(grid);
+    inner->addWidget(fields_);
+    inner->addWidget(question_);
+    inner->addWidget(shown_, 1);
+    inner->addStretch(0);
+    scroll_->setWidget(page);
+    scroll_->setWidgetResizable(true);
+    scroll_->setFrameShape(QFrame::NoFrame);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(style::margin, style::margin, style::margin, style::margin);
+    layout->setSpacing(2 * style::unit);
+    layout->addLayout(heading);
+    layout->addWidget(scroll_, 1);
     layout->addLayout(buttons);
-    for (QComboBox* box : {separator_, decimal_, units_})
-        connect(box, &QComboBox::activated, this, &ImportPanel::readValues);
+    question_->hide();
+}
+
+void ImportPanel::connectFields() {
+    connect(problems_, &QLabel::linkActivated, this, [this](const QString& line) { pointAt(line.toInt()); });
+    connect(converted_, &QCheckBox::toggled, this, [this](bool isConverted) {
+        model_->setConverted(isConverted);
+        view_->resizeColumnsToContents();
+    });
+    connect(fields_, &ReadFields::changed, this, [this] {
+        chosen_.clear();
+        readText();
+    });
+    connect(question_, &QuestionCard::answered, this, [this](const ReadOptions& options) {
+        fields_->show(options);
+        chosen_.clear();
+        readText();
+    });
+    connect(time_, &QComboBox::activated, this, [this] {
+        if (!recording_ && isText_) question_->hide();
+        allowAccept();
+    });
     connect(accept_, &QPushButton::clicked, this, &ImportPanel::accept);
     connect(cancel_, &QPushButton::clicked, this, [this] {
         reader_.drop();
         progress_->hide();
         Q_EMIT cancelled();
     });
-    connectReading();
 }
 
 /// How far a long read is, and what of a large file is read.
@@ -177,17 +189,21 @@ void ImportPanel::connectReading() {
     connect(browser_, &ChannelBrowser::readWanted, this, [this] {
         chosen_ = browser_->chosen();
         pages_->setCurrentWidget(view_);
-        readValues();
+        if (isText_)
+            takeChosen();
+        else
+            readValues();
     });
     connect(choose_, &QPushButton::clicked, this, &ImportPanel::browse);
 }
 
 void ImportPanel::browse() {
+    shown_->show();
     pages_->setCurrentWidget(browser_);
     accept_->setEnabled(false);
     problems_->setPalette(palette());
     problems_->setText(told_ = tr("The file holds %1 channels. Tick those that are to be read; the others stay in it.")
-                                   .arg(style::countText(channels_)));
+                                   .arg(style::countText(channelsIn(*recording_))));
 }
 
 void ImportPanel::pointAt(int line) {
@@ -217,13 +233,11 @@ QString ImportPanel::freeName() const {
 void ImportPanel::show(const QString& path) {
     path_ = QFileInfo(path).absoluteFilePath();
     title_->setText(tr("Import %1").arg(QFileInfo(path).fileName()));
-    for (QComboBox* box : {separator_, decimal_, units_}) box->setCurrentIndex(0);
+    fields_->show({});
     name_->setText(freeName());
     bool hasFit = false;
     for (const StudyExperiment& e : document_.study().experiments) hasFit = hasFit || e.role == Role::Fit;
     role_->setCurrentIndex(hasFit ? 1 : 0);
-    const bool isText = QStringList{"csv", "txt", "tsv", "dat"}.contains(QFileInfo(path).suffix().toLower());
-    for (QComboBox* box : {separator_, decimal_, units_}) box->setEnabled(isText);
     read();
 }
 
@@ -231,55 +245,63 @@ void ImportPanel::show(const QString& path) {
 void ImportPanel::read() {
     chosen_.clear();
     choose_->hide();
+    question_->hide();
+    shown_->show();
     pages_->setCurrentWidget(view_);
-    if (separator_->isEnabled()) return readValues();
     accept_->setEnabled(false);
     problems_->setText(tr("Reading …"));
-    reader_.start<Listing>(
+    reader_.start<Look>(
         tr("Reading"),
-        [path = path_](const Progress&) {
-            const Outcome<bool> isText = isTextRecording(path.toStdString());
-            if (!isText || *isText) return Listing{};
-            Outcome<MeasurementFile> file = openRecording(path.toStdString());
-            return Listing{file ? std::make_shared<const MeasurementFile>(std::move(*file)) : nullptr};
+        [path = path_.toStdString()](const Progress& progress) {
+            const Outcome<bool> isText = isTextRecording(path);
+            if (!isText) return Look{false, nullptr, {isText.diagnostics()}};
+            if (*isText) return Look{true, nullptr, previewOfText(path, {}, {}, progress)};
+            if (Outcome<MeasurementFile> file = openRecording(path); file && hasMany(*file))
+                return Look{false, std::make_shared<const MeasurementFile>(std::move(*file)), {Diagnostic{}}};
+            return Look{false, nullptr, previewOf(path, {}, progress)};
         },
-        [this](const Listing& listing) {
-            constexpr std::size_t few = 12;
-            channels_ = 0;
-            if (listing.file)
-                for (const RecordedGroup& group : listing.file->groups)
-                    channels_ += group.channels.size() - (group.masterChannel ? 1 : 0);
-            if (channels_ <= few) return readValues();
-            choose_->show();
-            browser_->show(listing.file);
-            browse();
-        });
+        [this](Look look) { showLook(std::move(look)); });
 }
 
+void ImportPanel::showLook(Look look) {
+    isText_ = look.isText;
+    fields_->setVisible(isText_);
+    recording_ = look.recording;
+    if (!recording_) return showPreview(std::move(look.preview));
+    choose_->show();
+    browser_->show(recording_);
+    browse();
+}
+
+/// Of a file that is no text: the channels that were chosen.
 void ImportPanel::readValues() {
-    ReadOptions options;
-    const QString separator = separator_->currentData().toString(), decimal = decimal_->currentData().toString();
-    if (!separator.isEmpty()) options.separator = separator.front().toLatin1();
-    if (!decimal.isEmpty()) options.decimal = decimal.front().toLatin1();
-    if (const QString units = units_->currentData().toString(); !units.isEmpty()) options.hasUnitsRow = units == "1";
     accept_->setEnabled(false);
     problems_->setText(tr("Reading …"));
     reader_.start<Preview>(
         tr("Reading"),
-        [path = path_, isText = separator_->isEnabled(), options, chosen = chosen_](const Progress& progress) {
-            Outcome<Table> read =
-                readTable(path.toStdString(), options, chosen, progress, chosen.empty() ? valuesKept : 0);
-            if (!read)
-                return Preview{read.diagnostics(),
-                               isText ? linesOf(path, read.diagnostics()) : std::vector<FileLine>()};
-            const auto file = std::make_shared<const Table>(std::move(*read));
-            Outcome<std::shared_ptr<const Table>> table = allOnOneRaster(file);
-            if (table) {
-                Diagnostics told = read.diagnostics();
-                told.insert(told.end(), table.diagnostics().begin(), table.diagnostics().end());
-                table = {*table, std::move(told)};
-            }
-            return Preview{std::move(table), {}, file, options};
+        [path = path_.toStdString(), chosen = chosen_](const Progress& progress) {
+            return previewOf(path, chosen, progress);
+        },
+        [this](Preview preview) { showPreview(std::move(preview)); });
+}
+
+void ImportPanel::readText() {
+    accept_->setEnabled(false);
+    problems_->setText(tr("Reading …"));
+    reader_.start<Preview>(
+        tr("Reading"),
+        [path = path_.toStdString(), options = fields_->options(), chosen = chosen_](const Progress& progress) {
+            return previewOfText(path, options, chosen, progress);
+        },
+        [this](Preview preview) { showPreview(std::move(preview)); });
+}
+
+void ImportPanel::takeChosen() {
+    accept_->setEnabled(false);
+    reader_.start<Preview>(
+        tr("Reading"),
+        [file = file_, chosen = chosen_, told = whole_, options = options_, recording = recording_](const Progress&) {
+            return complete({onOneRaster(file, chosen, told), {}, file, options, recording, told});
         },
         [this](Preview preview) { showPreview(std::move(preview)); });
 }
@@ -310,10 +332,18 @@ void ImportPanel::showPreview(Preview preview) {
     table_ = preview.table ? *preview.table : nullptr;
     file_ = preview.file;
     options_ = preview.options;
+    if (isText_) {
+        recording_ = preview.recording;
+        whole_ = preview.told;
+    }
+    ask(preview);
     QPalette p = palette();
     p.setColor(QPalette::WindowText, table_ ? style::caution(p) : style::fault(p));
     problems_->setPalette(problems.empty() ? palette() : p);
-    tellProblems(problems);
+    // a question tells what is wrong, and the rows of the file
+    const bool isAsked = !preview.asked.empty() && !table_;
+    tellProblems(isAsked ? Diagnostics{} : problems);
+    shown_->setVisible(!isAsked);
     if (problems.empty() && table_)
         problems_->setText(told_ = tr("%1 rows, %2 columns; nothing is wrong with it.")
                                        .arg(style::countText(table_->rows()))
@@ -327,13 +357,38 @@ void ImportPanel::showPreview(Preview preview) {
     else
         model_->show(std::move(preview.lines), std::move(byLine));
     view_->resizeColumnsToContents();
+    showTimes(preview.time);
+    const bool isToBeChosen = isText_ && recording_ && hasMany(*recording_);
+    if (isText_) choose_->setVisible(isToBeChosen);
+    if (isToBeChosen && chosen_.empty()) {
+        browser_->show(recording_);
+        browse();
+    }
+    if (wantedLine_ > 0) QTimer::singleShot(0, this, [this] { pointAt(wantedLine_); });
+}
+
+/// The first of what the file does not tell: another question may follow from its answer.
+void ImportPanel::ask(const Preview& preview) {
+    question_->setVisible(!preview.asked.empty());
+    if (preview.asked.empty()) return;
+    question_->ask(preview.asked.front(), preview.rows, preview.options);
+    QTimer::singleShot(0, this, [this] { scroll_->ensureWidgetVisible(question_); });
+}
+
+void ImportPanel::showTimes(const std::string& proposed) {
     time_->clear();
     if (table_) {
         for (const Column& c : table_->columns) time_->addItem(QString::fromStdString(c.name));
-        time_->setCurrentText(QString::fromStdString(proposeTime(*table_)));
+        time_->setCurrentIndex(time_->findText(QString::fromStdString(proposed)));
     }
-    accept_->setEnabled(table_ && table_->columns.size() > 1);
-    if (wantedLine_ > 0) QTimer::singleShot(0, this, [this] { pointAt(wantedLine_); });
+    allowAccept();
+}
+
+/// Nothing is taken for the time that nobody calls it.
+void ImportPanel::allowAccept() {
+    accept_->setEnabled(table_ && table_->columns.size() > 1 && time_->currentIndex() >= 0);
+    if (table_ && time_->currentIndex() < 0 && question_->isHidden())
+        problems_->setText(told_ = tr("No column is a time by its name or unit: choose the one that is."));
 }
 
 void ImportPanel::accept() {

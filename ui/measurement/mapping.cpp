@@ -60,7 +60,7 @@ int scoreOf(const SignalFact& signal, const Column& column) {
 std::string proposeTime(const Table& table) {
     for (const GuessedColumn& c : guessColumns(table))
         if (c.quantity == Quantity::Time) return c.name;
-    return table.columns.empty() ? std::string() : table.columns.front().name;
+    return {};
 }
 
 void proposeMapping(StudyExperiment& experiment, const Table& table, const ModelFacts& facts,

@@ -418,6 +418,11 @@ void MeasurementPanel::showMenu(QPoint at) {
                 tree_->showColumn(Clock);
                 tree_->editItem(item, Clock);
             });
+        if (mappingOf(item))
+            menu->addAction(tr("Compare with other recordings"), this, [this, item] {
+                Q_EMIT comparisonWanted(item->data(0, signalRole).toString(),
+                                        item->parent()->data(0, experimentRole).toString());
+            });
         addInterpolation(*menu, item);
         while (item->parent()) item = item->parent();
         const bool isFit = experiment->role == Role::Fit;

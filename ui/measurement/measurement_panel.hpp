@@ -56,6 +56,7 @@ Q_SIGNALS:
     void importWanted(const QString& path);
     void browseWanted();
     void valuesWanted(const QString& experiment);
+    void comparisonWanted(const QString& signal, const QString& experiment);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

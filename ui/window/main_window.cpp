@@ -31,6 +31,7 @@
 #include "ui/inspector/parameter_panel.hpp"
 #include "ui/job/job.hpp"
 #include "ui/library/library_panel.hpp"
+#include "ui/measurement/compare_page.hpp"
 #include "ui/measurement/import_panel.hpp"
 #include "ui/measurement/measurement_panel.hpp"
 #include "ui/measurement/values_page.hpp"
@@ -153,6 +154,8 @@ void MainWindow::createPanels() {
     import_->hide();
     values_ = new ValuesPage(*document_, this);
     values_->hide();
+    comparison_ = new ComparePage(*document_, this);
+    comparison_->hide();
     library_ = new LibraryPanel(*document_);
     compose_ = new ComposeActions(*document_, *scene_, *view_, *library_, this);
     libraryDock_ = addDock("library", tr("Library"), library_, Qt::LeftDockWidgetArea);
@@ -540,6 +543,8 @@ void MainWindow::connectPanels() {
     connect(measurements_, &MeasurementPanel::browseWanted, this, &MainWindow::askForMeasurement);
     connect(measurements_, &MeasurementPanel::valuesWanted, this, &MainWindow::showValues);
     connect(values_, &ValuesPage::left, this, &MainWindow::leaveValues);
+    connect(measurements_, &MeasurementPanel::comparisonWanted, this, &MainWindow::showComparison);
+    connect(comparison_, &ComparePage::left, this, &MainWindow::leaveComparison);
     connect(import_, &ImportPanel::cancelled, this, &MainWindow::leaveImport);
     connect(import_, &ImportPanel::accepted, this, [this](const QString& experiment) {
         plots_->showExperiment(experiment);

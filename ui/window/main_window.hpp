@@ -21,6 +21,7 @@ enum class ExportFormat;
 
 namespace analogon::ui {
 
+class ComparePage;
 class ComposeActions;
 class DiagramScene;
 class DiagramView;
@@ -118,6 +119,8 @@ private:
     void leaveImport();
     void showValues(const QString& experiment);
     void leaveValues();
+    void showComparison(const QString& signal, const QString& experiment);
+    void leaveComparison();
     void settle();
     /// Does it at once, or once the user has said what becomes of unsaved changes.
     void leaveThen(std::function<void()> next);
@@ -139,6 +142,7 @@ private:
     GeneratePage* generate_{};
     ImportPanel* import_{};
     ValuesPage* values_{};
+    ComparePage* comparison_{};
     LibraryPanel* library_{};
     ComposeActions* compose_{};
     Recovery* recovery_{};

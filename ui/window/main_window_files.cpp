@@ -20,6 +20,7 @@
 #include "ui/effect/report_pdf.hpp"
 #include "ui/fit/run_controller.hpp"
 #include "ui/job/job.hpp"
+#include "ui/measurement/compare_page.hpp"
 #include "ui/measurement/import_panel.hpp"
 #include "ui/measurement/values_page.hpp"
 #include "ui/plot/plot_panel.hpp"
@@ -149,6 +150,19 @@ void MainWindow::showValues(const QString& experiment) {
 
 void MainWindow::leaveValues() {
     const int tab = centre_->indexOf(values_);
+    if (tab < 0) return;
+    centre_->removeTab(tab);
+    showDiagram();
+}
+
+void MainWindow::showComparison(const QString& signal, const QString& experiment) {
+    comparison_->show(signal, experiment);
+    if (centre_->indexOf(comparison_) < 0) centre_->addTab(comparison_, tr("Compare"));
+    centre_->setCurrentWidget(comparison_);
+}
+
+void MainWindow::leaveComparison() {
+    const int tab = centre_->indexOf(comparison_);
     if (tab < 0) return;
     centre_->removeTab(tab);
     showDiagram();

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QWidget>
+
+#include "core/measure/read_options.hpp"
+
+class QComboBox;
+class QGridLayout;
+class QLineEdit;
+class QToolButton;
+
+namespace analogon::ui {
+
+/// How a text is written, a field for each that a study can tell; what is left empty is found out from the file. The
+/// usual ones are in sight, the others behind a button.
+class ReadFields : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ReadFields(QWidget* parent = nullptr);
+
+    ReadOptions options() const;
+    void show(const ReadOptions& options);
+    QToolButton* moreButton() const { return more_; }
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    void add(const QString& text, QWidget* field);
+    QLineEdit* addLine(const QString& text, const QString& example, const QString& tip);
+    QComboBox* addChoice(const QString& text, const QString& tip);
+    void showRest(bool isShown);
+
+    QGridLayout* grid_;
+    int cells_{};
+    QComboBox *separator_, *decimal_, *units_, *thousands_, *encoding_;
+    QLineEdit *skip_, *header_, *timeFormat_, *timeZone_;
+    QToolButton* more_;
+};
+
+}  // namespace analogon::ui
