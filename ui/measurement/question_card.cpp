@@ -108,7 +108,7 @@ void QuestionCard::fill(const Question& question, const QuestionRows& rows) {
     columns->setSectionResizeMode(InTheFile, QHeaderView::Stretch);
     const int line = fontMetrics().height() + style::unit;
     table_->verticalHeader()->setDefaultSectionSize(line);
-    table_->setFixedHeight(columns->sizeHint().height() + table_->rowCount() * line + 2);
+    table_->setFixedHeight(columns->sizeHint().height() + table_->verticalHeader()->length() + 2);
 }
 
 void QuestionCard::addButton(const QString& text, const ReadOptions& options) {
