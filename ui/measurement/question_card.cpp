@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/measure/text/time_format.hpp"
 #include "ui/style/style.hpp"
@@ -106,9 +107,17 @@ void QuestionCard::fill(const Question& question, const QuestionRows& rows) {
     QHeaderView* const columns = table_->horizontalHeader();
     columns->setSectionResizeMode(QHeaderView::ResizeToContents);
     columns->setSectionResizeMode(InTheFile, QHeaderView::Stretch);
+    // the rows of the file need the room: a long label breaks over its values
+    columns->setDefaultAlignment(Qt::AlignCenter | static_cast<Qt::Alignment>(Qt::TextWordWrap));
+    columns->setFixedHeight(2 * fontMetrics().height() + 2 * style::unit);
+    const QAbstractItemView* const cells = table_;
+    for (int i = FirstReading; i < table_->columnCount(); ++i) {
+        columns->setSectionResizeMode(i, QHeaderView::Fixed);
+        columns->resizeSection(i, std::max(cells->sizeHintForColumn(i), 30 * style::unit));
+    }
     const int line = fontMetrics().height() + style::unit;
     table_->verticalHeader()->setDefaultSectionSize(line);
-    table_->setFixedHeight(columns->sizeHint().height() + table_->verticalHeader()->length() + 2);
+    table_->setFixedHeight(columns->height() + table_->verticalHeader()->length() + 2);
 }
 
 void QuestionCard::addButton(const QString& text, const ReadOptions& options) {
