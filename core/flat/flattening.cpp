@@ -62,6 +62,7 @@ namespace {
 
 /// The root of a name, an alias of an import followed.
 std::string rootOf(const syntax::Name& name, const LibraryClass* from, const Library& library) {
+    if (name.parts.empty()) return {};
     const std::string& first = name.parts.front().identifier;
     for (; from && !name.absolute; from = library.find(from->scope))
         for (const syntax::Import& import : from->definition->imports)

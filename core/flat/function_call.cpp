@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -330,22 +331,28 @@ private:
         std::optional<Value> value = Value::scalar(FlatType::Integer, pool_.constant(name_ == "ones" ? 1 : 0));
         if (name_ == "fill") value = any(0);
         if (!value) return value;
-        if (!value->isScalar()) return fail(phrase("'fill' needs a single value"), expressions_[0]->span);
+        if (value->isRecord() || value->isObject())
+            return fail(phrase("'fill' needs a single value"), expressions_[0]->span);
         Value result = *value;
+        result.dimensions.clear();
+        const std::size_t each = value->size();  // of an array that is repeated
         std::size_t count = 1;
         for (std::size_t i = first; i < expressions_.size(); ++i) {
             const auto extent = constantSize(i);
             if (!extent) return std::nullopt;
             result.dimensions.push_back(*extent);
             count *= static_cast<std::size_t>(*extent);
-            if (count > Instantiator::mostScalars)
+            if (count * std::max<std::size_t>(each, 1) > Instantiator::mostScalars)
                 return fail(phrase("an array of more than {} elements", Instantiator::mostScalars));
         }
-        if (!work_.translator->spend(count, call_.span)) return std::nullopt;
-        if (result.type == FlatType::String)
-            result.texts.assign(count, value->texts[0]);
-        else
-            result.elements.assign(count, value->elements[0]);
+        if (!work_.translator->spend(count * each, call_.span)) return std::nullopt;
+        result.dimensions.insert(result.dimensions.end(), value->dimensions.begin(), value->dimensions.end());
+        result.texts.clear();
+        result.elements.clear();
+        for (std::size_t k = 0; k < count; ++k) {
+            result.texts.insert(result.texts.end(), value->texts.begin(), value->texts.end());
+            result.elements.insert(result.elements.end(), value->elements.begin(), value->elements.end());
+        }
         return result;
     }
 

@@ -147,7 +147,7 @@ void Instantiator::constrain(ResolvedType& type, Instance& instance, const std::
     if (local == instance.localClasses.end()) return;
     const syntax::ClassDefinition& original = *local->second.definition;
     const Scope scope{&instance, local->second.lexical};
-    if (original.constrainedBy || original.isShort)
+    if (original.constrainedBy || (original.isShort && !original.isEnumeration))
         satisfies(type, original.constrainedBy ? *original.constrainedBy : original.shortBase, scope,
                   instance.redeclared.find(name)->second.span);
     Modifier constraint =

@@ -54,8 +54,8 @@ std::vector<Case> casesOf(const Library& library, const fs::path& root) {
         const fs::path& file = entry.path();
         if (file.extension() != ".mo" || file.filename() == "package.mo") continue;
         std::string name;
-        for (const fs::path& part : fs::relative(file, root).replace_extension())
-            name += (name.empty() ? "" : ".") + part.string();
+        const fs::path inside = fs::relative(file, root).replace_extension();
+        for (const fs::path& part : inside) name += (name.empty() ? "" : ".") + part.string();
         const LibraryClass* const definition = library.find(name);
         const auto isSound = definition ? saysSound(*definition) : std::nullopt;
         if (isSound) cases.push_back({name, *isSound});
@@ -110,7 +110,8 @@ TEST(Compliance, TheCasesOfTheModelicaAssociationAreJudgedRight) {
         }
         if (!isRight)
             std::cout << fmt::format("wrong {} {}: {}\n", one.isSound ? "refused " : "accepted", one.name,
-                                     faults.empty() ? std::string() : faults.front().message.english());
+                                     faults.empty() ? std::string() : faults.front().message.english())
+                      << std::flush;
     }
     for (const auto& [name, count] : chapters)
         std::cout << fmt::format("{:40} {:4} of {:4} right{}\n", name, count.right, count.all,

@@ -141,6 +141,12 @@ TEST(Arrays, ALoopOverALongArrayCostsWhatItsElementsCost) {
     EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 5);
 }
 
+TEST(Arrays, FillRepeatsAnArrayAsWell) {
+    const FlatModel m = flatOf("model M Real x[2, 3] = fill({1, 2, 3}, 2); Real y[0, 2] = fill({1, 2}, 0); end M;");
+    EXPECT_THAT(equations(m), Contains("x[2,3] = 3"));
+    EXPECT_EQ(m.equations.size(), 6u);
+}
+
 TEST(Arrays, ASizeMaySpeakOfTheSizesBeforeIt) {
     const FlatModel m = flatOf(R"(
         block S parameter Real A[:, size(A, 1)] = [1, 2; 3, 4]; parameter Real B[size(A, 1), :] = [5; 6];

@@ -203,5 +203,13 @@ TEST(Inheritance, AModelExtendsNoPackage) {
                 ElementsAre("'M' is a model and cannot extend P, which is a package"));
 }
 
+TEST(Redeclaration, AnEnumerationMayTakeThePlaceOfAnother) {
+    const FlatModel m = flatOf(R"(
+        package P type Fine = enumeration(a, b, c); end P;
+        model Part replaceable type Level = enumeration(a, b); parameter Level l; end Part;
+        model M Part p(redeclare type Level = P.Fine, l = P.Fine.c); end M;)");
+    EXPECT_EQ(valueOf(m, "p.l"), 3);
+}
+
 }  // namespace
 }  // namespace analogon
