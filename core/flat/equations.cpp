@@ -211,9 +211,7 @@ void Equations::loop(const syntax::Equation& equation, std::size_t iterator, con
                                  span);
             return;
         }
-        Value value = Value::scalar(values->type, values->elements[static_cast<std::size_t>(k) - 1]);
-        value.enumeration = values->enumeration;
-        work_.translator->pushIterator(name, std::move(value));
+        work_.translator->pushIterator(name, values->part(k));
         loop(equation, iterator + 1, scope);
         work_.translator->popIterator();
     }
