@@ -17,7 +17,8 @@ std::pair<std::string, std::string> percentTexts(double one, double other);
 
 /// Value and standard error with two digits of the error and one exponent: "3.096 ± 0.021", "(2.103 ± 0.031)e-11",
 /// "12350 ± 680". With one digit where the value is smaller than its error, "3 ± 7", "0.4 ± 7"; "0 ± 7" below 1e-9 of
-/// the error. Of an error beyond all digits of the value the size: "293.15 ± 1e-13". Without an error (not finite) the value alone.
+/// the error. Of an error beyond all digits of the value the size: "293.15 ± 1e-13". Without an error (not finite) the
+/// value alone.
 std::string valueText(double value, double standardError);
 
 /// Characters as a terminal counts them (code points).
