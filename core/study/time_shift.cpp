@@ -35,7 +35,7 @@ struct Samples {
     }
 };
 
-Samples samplesOf(const Course& course) {
+Samples samplesOf(const ComparedCourse& course) {
     Samples samples;
     for (std::size_t i = 0; i < std::min(course.time.size(), course.values.size()); ++i) {
         if (!std::isfinite(course.values[i]) || !std::isfinite(course.time[i])) continue;
@@ -302,7 +302,7 @@ std::optional<Diagnostic> rivalOf(const Lags& lags, std::ptrdiff_t best, const O
 
 }  // namespace
 
-Outcome<TimeShift> timeShift(const Course& reference, const Course& other) {
+Outcome<TimeShift> timeShift(const ComparedCourse& reference, const ComparedCourse& other) {
     const Samples first = samplesOf(reference), second = samplesOf(other);
     if (std::min(first.time.size(), second.time.size()) < fewest)
         return untold(phrase("less than {} samples were measured", fewest));

@@ -7,7 +7,7 @@
 namespace analogon {
 
 /// One quantity as one logger stamped it. The stamps ascend; NaN among the values is a gap.
-struct Course {
+struct ComparedCourse {
     std::span<const double> time;  // [s]
     std::span<const double> values;
 };
@@ -24,6 +24,6 @@ struct TimeShift {
 /// them does not change or is too short; they are not alike; another shift does as well (they repeat); they change so
 /// slowly that any shift does. What does as well is judged by the likelihood under residuals of first order (AR 1).
 /// Knapp, Carter: The generalized correlation method for estimation of time delay. IEEE Trans. ASSP 24 (1976).
-Outcome<TimeShift> timeShift(const Course& reference, const Course& other);
+Outcome<TimeShift> timeShift(const ComparedCourse& reference, const ComparedCourse& other);
 
 }  // namespace analogon

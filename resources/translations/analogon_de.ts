@@ -4136,8 +4136,8 @@ Relativer Standardfehler %1 %</translation>
         <translation>Tausenderzeichen</translation>
     </message>
     <message>
-        <source>1.234.567,8 has points between thousands</source>
-        <translation>1.234.567,8 hat Punkte zwischen Tausendern</translation>
+        <source>1 234 567.8 has blanks between thousands</source>
+        <translation>1 234 567,8 hat Leerzeichen zwischen Tausendern</translation>
     </message>
     <message>
         <source>apostrophe</source>
@@ -4165,7 +4165,7 @@ Relativer Standardfehler %1 %</translation>
     </message>
     <message>
         <source>How dates and clocks are written: %d.%m.%Y %H:%M:%S. Of rows without a time the step from one to the next: 0.001 s or 1 kHz. Of a time without a unit the unit: ms</source>
-        <translation>Wie Datum und Uhrzeit geschrieben sind: %d.%m.%Y %H:%M:%S. Bei Zeilen ohne Zeit der Schritt von einer zur nächsten: 0.001 s oder 1 kHz. Bei einer Zeit ohne Einheit die Einheit: ms</translation>
+        <translation>Wie Datum und Uhrzeit geschrieben sind: %d.%m.%Y %H:%M:%S. Bei Zeilen ohne Zeit der Schritt von einer zur nächsten: 0,001 s oder 1 kHz. Bei einer Zeit ohne Einheit die Einheit: ms</translation>
     </message>
     <message>
         <source>Time zone</source>

@@ -864,7 +864,7 @@ TEST_F(Panels, LeadsFromAFaultOfTheDataToItsLine) {
     Q_EMIT panel<MessagePanel>()->placeChosen(place);
     auto* import = panel<ImportPanel>();
     ASSERT_TRUE(import->isVisible());
-    auto* table = import->findChild<QTableView*>();
+    auto* table = import->findChild<QTableView*>("preview");
     ASSERT_TRUE(QTest::qWaitFor([&] { return table->currentIndex().isValid(); }, 10000));
     EXPECT_EQ(table->model()->headerData(table->currentIndex().row(), Qt::Vertical).toInt(), 500);
 }
@@ -1087,7 +1087,7 @@ TEST_F(Panels, LeadsFromAProblemOfAFileToItsRow) {
     EXPECT_TRUE(import->model()->index(row, 0).data(Qt::BackgroundRole).isValid());
     for (QLabel* label : import->findChildren<QLabel*>())
         if (label->text().contains("<a href='2502'>")) Q_EMIT label->linkActivated("2502");
-    EXPECT_EQ(import->findChild<QTableView*>()->currentIndex().row(), row);
+    EXPECT_EQ(import->findChild<QTableView*>("preview")->currentIndex().row(), row);
 
     file.setFileName(directory.filePath("good.csv"));
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));

@@ -86,6 +86,7 @@ ImportPanel::ImportPanel(Document& document, QWidget* parent)
     view_->setSelectionMode(QAbstractItemView::NoSelection);
     view_->setSelectionBehavior(QAbstractItemView::SelectRows);
     view_->setAccessibleName(tr("Preview"));
+    view_->setObjectName("preview");
     accept_->setIcon(style::icon("apply"));
     accept_->setDefault(true);
     layOut();

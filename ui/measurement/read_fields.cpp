@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
+#include "core/measure/text/time_format.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
@@ -51,7 +52,7 @@ ReadFields::ReadFields(QWidget* parent) : QWidget(parent), grid_(new QGridLayout
     units_ = addChoice(tr("Row of units"), {});
     units_->addItem(tr("yes"), QStringLiteral("1"));
     units_->addItem(tr("no"), QStringLiteral("0"));
-    thousands_ = addChoice(tr("Sign between thousands"), tr("1.234.567,8 has points between thousands"));
+    thousands_ = addChoice(tr("Sign between thousands"), tr("1 234 567.8 has blanks between thousands"));
     for (const auto& [text, sign] :
          {std::pair{tr("point"), "."}, {tr("comma"), ","}, {tr("apostrophe"), "'"}, {tr("space"), " "}})
         thousands_->addItem(text, QString(sign));
@@ -128,7 +129,9 @@ ReadOptions ReadFields::options() const {
     options.skip = countIn(skip_);
     options.header = countIn(header_);
     if (const QString units = units_->currentData().toString(); !units.isEmpty()) options.hasUnitsRow = units == "1";
-    options.timeFormat = timeFormat_->text().trimmed().toStdString();
+    const QString time = timeFormat_->text().trimmed();
+    const std::string step = QString(time).replace(',', '.').toStdString();  // "0,001 s" of a German screen
+    options.timeFormat = intervalOf(step) ? step : time.toStdString();
     options.timeZone = timeZone_->text().trimmed().toStdString();
     options.encoding = encoding_->currentData().toString().toStdString();
     return options;

@@ -12,7 +12,7 @@ namespace {
 
 struct Recorded {
     std::vector<double> time, values;
-    Course course() const { return {time, values}; }
+    ComparedCourse course() const { return {time, values}; }
 };
 
 /// A quantity as a logger writes it whose clock is ahead by `clock`.
