@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QListWidget>
 #include <QPushButton>
 #include <QScrollBar>
@@ -29,6 +30,7 @@
 #include "ui/fit/run_controller.hpp"
 #include "ui/inspector/parameter_panel.hpp"
 #include "ui/library/library_panel.hpp"
+#include "ui/measurement/compare_page.hpp"
 #include "ui/measurement/import_panel.hpp"
 #include "ui/measurement/measurement_panel.hpp"
 #include "ui/measurement/values_page.hpp"
@@ -100,6 +102,8 @@ public:
         settle();
         take(window, "06-import");
         QMetaObject::invokeMethod(window.findChild<ImportPanel*>(), "cancelled");
+        takeQuestion(window);
+        takeComparison(window);
         auto* tabs = window.findChild<QTabWidget*>("centre");
         tabs->setCurrentWidget(window.findChild<TextView*>());
         settle();
@@ -266,6 +270,35 @@ private:
         take(window, "19-at-its-bound");
         return true;
     }
+    /// A text that can be read in two ways.
+    void takeQuestion(MainWindow& window) {
+        const QTemporaryDir place;
+        const QString path = place.filePath("bench.csv");
+        QFile file(path);
+        if (!file.open(QIODevice::WriteOnly)) return;
+        file.write("Zeit [s];T_Wasser [degC];p [mbar]\n");
+        for (int i = 0; i < 40; ++i)
+            file.write(
+                QStringLiteral("%1;%2,%3;1.%4\n").arg(i).arg(60 + i / 10).arg(100 + 7 * i).arg(110 + 3 * i).toUtf8());
+        file.close();
+        window.open(path);
+        auto* import = window.findChild<ImportPanel*>();
+        waitFor([&] { return import->isVisible() && !import->problems().startsWith("…"); }, 3000);
+        settle(400);
+        take(window, "06-import-question");
+        QMetaObject::invokeMethod(import, "cancelled");
+    }
+    /// The measured channel of the fit beside those of the other recordings.
+    void takeComparison(MainWindow& window) {
+        const StudyExperiment& first = window.document().study().experiments.front();
+        if (first.outputs.empty()) return;
+        Q_EMIT window.findChild<MeasurementPanel*>()->comparisonWanted(
+            QString::fromStdString(first.outputs.begin()->first), QString::fromStdString(first.name));
+        settle(800);
+        take(window, "06-compare");
+        Q_EMIT window.findChild<ComparePage*>()->left();
+    }
+
     void take(MainWindow& window, const QString& name) {
         window.statusBar()->clearMessage();  // it tells how fast this machine is: no part of the picture
         const QString file = directory_.filePath(name + suffix_ + ".png");

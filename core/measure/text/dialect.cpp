@@ -284,6 +284,7 @@ struct Evidence {
     char thousands{};
     const SampleRow* openRow{};  // the first cell with an open mark
     std::size_t openCell{};
+    bool hasOpenPoint{}, hasOpenComma{};
     std::vector<bool> longWithout{}, shortWithout{}, openIn{};  // by column: 1234, 234, 1.234
 };
 
@@ -309,6 +310,8 @@ Evidence evidenceOf(const SampledRows& sample) {
             if (!shape.isLongWithout && shape.decimal == Mark::None) found.shortWithout[i] = true;
             if (shape.decimal == Mark::OpenPoint || shape.decimal == Mark::OpenComma) {
                 found.openIn[i] = true;
+                found.hasOpenPoint = found.hasOpenPoint || shape.decimal == Mark::OpenPoint;
+                found.hasOpenComma = found.hasOpenComma || shape.decimal == Mark::OpenComma;
                 if (!found.openRow) {
                     found.openRow = &sample.rows[r];
                     found.openCell = i;
@@ -329,6 +332,11 @@ Outcome<NumberMarks> numberMarks(const SampledRows& sample, const ReadOptions& o
         marks.decimal = marks.thousands == '.' ? ',' : '.';
     const Evidence found = evidenceOf(sample);
     if (!options.thousands) marks.thousands = found.thousands;
+    if (options.decimal && !options.thousands && marks.thousands == 0) {
+        // beside decimals that are told, the other mark parts thousands
+        if (*options.decimal == ',' && found.hasOpenPoint && !found.isPoint) marks.thousands = '.';
+        if (*options.decimal == '.' && found.hasOpenComma && !found.isComma) marks.thousands = ',';
+    }
     if (!marks.decimal) {
         if (found.isPoint != found.isComma) {
             marks.decimal = found.isPoint ? '.' : ',';

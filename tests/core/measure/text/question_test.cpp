@@ -55,6 +55,16 @@ TEST(Question, AMarkOfDecimalsOrThousandsIsAskedWithBothReadings) {
     EXPECT_THAT(valuesUnder(rows, 1), ElementsAre("1234 1/min", "2345 1/min"));
 }
 
+TEST(Question, BesideDecimalsThatAreToldTheOtherMarkPartsThousands) {
+    const std::string text = "t [s];T [degC];p [mbar]\n0;60,100;1.110\n1;60,107;1.113\n2;60,114;1.116\n";
+    const Questions asked = askedOf(text);  // both answers are ways to read it
+    ASSERT_EQ(asked.size(), 1u);
+    const QuestionRows rows = rowsUnder(text, "test.csv", asked[0], 2);
+    EXPECT_EQ(rows.column, "T");
+    EXPECT_THAT(valuesUnder(rows, 0), ElementsAre("60.1 degC", "60.107 degC"));
+    EXPECT_THAT(valuesUnder(rows, 1), ElementsAre("60100 degC", "60107 degC"));
+}
+
 TEST(Question, AMarkThatComesUpFarBelowIsAskedThere) {
     std::string text = "t;u\n";
     for (int i = 0; i < 30'000; ++i) text += fmt::format("{};{}\n", i, i);
