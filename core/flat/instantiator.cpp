@@ -315,6 +315,22 @@ void Instantiator::createVariables(Instance& instance, Element& element) {
     }
 }
 
+/// What a connector holds that ties more of its variables than its connections are equations (Modelica 3.6, section
+/// 9.4): refused once, where the model itself names a component with such connectors.
+bool Instantiator::isOverconstrained(const Instance& instance, const LibraryClass& type) {
+    if (!instance.isConnector() || !work_.library.find(type.qualifiedName + ".equalityConstraint")) return false;
+    const Instance* named = &instance;
+    while (named->parent && named->parent->parent) named = named->parent;
+    work_.messages.fatal(
+        phrase("'{}' ({}) has connectors whose variables depend on each other ({}, with an equalityConstraint): "
+               "overconstrained connections are not supported",
+               named->name, named->className, instance.className),
+        named->declared,
+        phrase("Model what moves along one axis: a gravity about it is {} ({}), an arm an inertia.",
+               "Analogon.Effects.Mechanics.GravityTorque", "torque.gravity"));
+    return true;
+}
+
 /// A class whose instance holds an instance of itself would never end.
 bool Instantiator::mayContain(const Instance& instance, const Element& element) {
     const std::string name = instance.memberName(element.declaration->name);
@@ -335,6 +351,7 @@ bool Instantiator::mayContain(const Instance& instance, const Element& element) 
                              element.declaration->nameSpan);
         return false;
     }
+    if (isOverconstrained(instance, *type)) return false;
     if (tree.isOperator || tree.restriction == Restriction::Operator) {
         work_.messages.error(phrase("operator classes are not supported"), element.declaration->typeSpan,
                              phrase("write the relation as equations of a block"));

@@ -53,6 +53,7 @@ private:
     void createVariables(Instance& instance, Element& element);
     bool createItems(Instance& instance, Element& element);
     bool mayContain(const Instance& instance, const Element& element);
+    bool isOverconstrained(const Instance& instance, const LibraryClass& type);
     void bindRecord(Instance& record, const Modifier& modifier);
 
     struct RedeclaredIn {

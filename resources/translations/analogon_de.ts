@@ -9466,6 +9466,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Operator-Klassen werden nicht unterstützt</translation>
     </message>
     <message>
+        <source>'{}' ({}) has connectors whose variables depend on each other ({}, with an equalityConstraint): overconstrained connections are not supported</source>
+        <translation>„{}“ ({}) hat Anschlüsse, deren Variablen voneinander abhängen ({}, mit equalityConstraint): überbestimmte Verbindungen werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>Model what moves along one axis: a gravity about it is {} ({}), an arm an inertia.</source>
+        <translation>Modellieren, was sich um eine Achse bewegt: Die Schwerkraft um sie ist {} ({}), ein Arm eine Trägheit.</translation>
+    </message>
+    <message>
         <source>expandable connectors are not supported</source>
         <translation>erweiterbare Konnektoren werden nicht unterstützt</translation>
     </message>

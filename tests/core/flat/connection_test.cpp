@@ -185,5 +185,18 @@ TEST(Connect, HierarchicalConnectorsMatchMemberByMember) {
     EXPECT_EQ(m.connections.size(), 1u);
 }
 
+TEST(Connect, OverconstrainedConnectorsAreRefusedOnceWhereTheModelNamesAComponentThatHasThem) {
+    EXPECT_THAT(faultsOf(R"(
+        record Turned
+          Real T[2];
+          function equalityConstraint input Turned a, b; output Real residue[1]; algorithm residue[1] := a.T[1] - b.T[1];
+          end equalityConstraint;
+        end Turned;
+        connector Frame Turned R; Real r; flow Real f; flow Real t[2]; end Frame;
+        model Arm Frame a, b; equation connect(a, b); end Arm;
+        model M Arm arm, other; equation connect(arm.b, other.a); end M;)"),
+                ElementsAre(HasSubstr("'arm' (Arm) has connectors whose variables depend on each other")));
+}
+
 }  // namespace
 }  // namespace analogon
