@@ -62,7 +62,7 @@ ComparePage::ComparePage(Document& document, QWidget* parent)
     table_->setFrameShape(QFrame::NoFrame);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
-    table_->setWordWrap(true);
+    table_->setWordWrap(false);  // a long reason is told whole below, of the recording that is chosen
     table_->setAccessibleName(tr("Recordings"));
     auto* heading = new QHBoxLayout;
     heading->setSpacing(2 * style::unit);
@@ -85,7 +85,9 @@ ComparePage::ComparePage(Document& document, QWidget* parent)
         if (column == Shift) shiftTyped(row);
     });
     connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) {
-        if (row >= 0) plot_->setMarked(static_cast<std::size_t>(row));
+        if (row < 0) return;
+        plot_->setMarked(static_cast<std::size_t>(row));
+        if (const QTableWidgetItem* about = table_->item(row, About)) caption_->setText(about->text());
     });
     connect(&document, &Document::experimentsChanged, this, &ComparePage::refresh);
     connect(&document, &Document::opened, this, &ComparePage::left);
@@ -165,14 +167,22 @@ void ComparePage::showComparison(Comparison comparison) {
     for (const Compared& compared : shown_.recordings)
         lines.push_back({compared.time, compared.values, compared.found ? compared.found->shift : 0.0});
     plot_->show(std::move(lines), QString::fromStdString(unitOf(document_.facts(), signal_.toStdString())));
-    const QSignalBlocker blocker(table_);
-    table_->setRowCount(static_cast<int>(shown_.recordings.size()));
-    for (int row = 0; row < table_->rowCount(); ++row)
-        addRow(row, shown_.recordings[static_cast<std::size_t>(row)], row == 0);
-    table_->resizeRowsToContents();
+    {
+        const QSignalBlocker blocker(table_);
+        table_->setRowCount(static_cast<int>(shown_.recordings.size()));
+        for (int row = 0; row < table_->rowCount(); ++row)
+            addRow(row, shown_.recordings[static_cast<std::size_t>(row)], row == 0);
+        table_->resizeRowsToContents();
+        table_->setCurrentCell(-1, -1);
+    }
     caption_->setText(shown_.recordings.size() < 2
                           ? tr("Only one recording has %1: import another one and map it.").arg(signal_)
                           : tr("Each is drawn earlier by its shift: where it is right they lie on each other."));
+    // what cannot be told says why at once
+    const auto fault = std::find_if(shown_.recordings.begin(), shown_.recordings.end(),
+                                    [](const Compared& c) { return !c.faults.empty(); });
+    if (fault != shown_.recordings.end())
+        table_->setCurrentCell(static_cast<int>(fault - shown_.recordings.begin()), About);
 }
 
 void ComparePage::addRow(int row, const Compared& compared, bool isReference) {
