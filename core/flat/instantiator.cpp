@@ -321,13 +321,15 @@ bool Instantiator::isOverconstrained(const Instance& instance, const LibraryClas
     if (!instance.isConnector() || !work_.library.find(type.qualifiedName + ".equalityConstraint")) return false;
     const Instance* named = &instance;
     while (named->parent && named->parent->parent) named = named->parent;
+    const bool isOfBodies = instance.className.find(".MultiBody.") != std::string::npos;
     work_.messages.fatal(
         phrase("'{}' ({}) has connectors whose variables depend on each other ({}, with an equalityConstraint): "
                "overconstrained connections are not supported",
                named->name, named->className, instance.className),
         named->declared,
-        phrase("Model what moves along one axis: a gravity about it is {} ({}), an arm an inertia.",
-               "Analogon.Effects.Mechanics.GravityTorque", "torque.gravity"));
+        isOfBodies ? phrase("Model what moves along one axis: a gravity about it is {} ({}), an arm an inertia.",
+                            "Analogon.Effects.Mechanics.GravityTorque", "torque.gravity")
+                   : phrase("Use components whose connectors have potentials and flows alone."));
     return true;
 }
 

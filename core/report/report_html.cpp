@@ -279,7 +279,7 @@ private:
             for (const Remainder& remainder : finding_.remainders)
                 out_ += "<div class=\"card\">" + escapeHtml(remainderWords(remainder)) + "</div>\n";
             if (finding_.disturbance)
-                out_ += "<p>" + escapeHtml(disturbanceWords(*finding_.disturbance).english()) + ".</p>\n";
+                out_ += "<p>" + escapeHtml(disturbanceWords(*finding_.disturbance).english()) + "</p>\n";
             if (const std::string words = proposedStudyWords(finding_); !words.empty())
                 out_ += "<p class=\"soft\">" + escapeHtml(words) + "</p>\n";
         }

@@ -138,7 +138,7 @@ std::string summaryText(const Finding& finding) {
     text += intervalTable(last);
     if (!finding.effects.empty()) text += "\nAdded\n" + effectLines(finding);
     for (const Remainder& remainder : finding.remainders) text += "\n" + remainderWords(remainder) + "\n";
-    if (finding.disturbance) text += "\n" + disturbanceWords(*finding.disturbance).english() + ".\n";
+    if (finding.disturbance) text += "\n" + disturbanceWords(*finding.disturbance).english() + "\n";
     if (const std::string words = proposedStudyWords(finding); !words.empty()) text += "\n" + words + "\n";
     if (!finding.nextExperiment.empty()) text += "\nNext experiment: " + finding.nextExperiment + "\n";
     for (const std::string& warning : finding.warnings) text += "\nNote: " + warning + "\n";

@@ -191,7 +191,7 @@ Text verdictWords(const CandidateResult& candidate) {
 Text disturbanceWords(const UnmeasuredFlow& flow) {
     return phrase(
         "What remains behaves like a flow of {} {} (root mean square) at {} that nobody measured, and that "
-        "changes within about {} s",
+        "changes within about {} s.",
         numberText(flow.size, 2), flow.unit, flow.node, numberText(flow.timeConstant, 2));
 }
 

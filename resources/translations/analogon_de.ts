@@ -9470,6 +9470,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>„{}“ ({}) hat Anschlüsse, deren Variablen voneinander abhängen ({}, mit equalityConstraint): überbestimmte Verbindungen werden nicht unterstützt</translation>
     </message>
     <message>
+        <source>Use components whose connectors have potentials and flows alone.</source>
+        <translation>Komponenten verwenden, deren Anschlüsse nur Potentiale und Flüsse haben.</translation>
+    </message>
+    <message>
         <source>Model what moves along one axis: a gravity about it is {} ({}), an arm an inertia.</source>
         <translation>Modellieren, was sich um eine Achse bewegt: Die Schwerkraft um sie ist {} ({}), ein Arm eine Trägheit.</translation>
     </message>
@@ -9698,8 +9702,8 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>angezeigt: Die Suche endete vor ihren letzten Prüfungen</translation>
     </message>
     <message>
-        <source>What remains behaves like a flow of {} {} (root mean square) at {} that nobody measured, and that changes within about {} s</source>
-        <translation>Was bleibt, verhält sich wie ein Strom von {} {} (Effektivwert) bei {}, den niemand gemessen hat und der sich innerhalb von etwa {} s ändert</translation>
+        <source>What remains behaves like a flow of {} {} (root mean square) at {} that nobody measured, and that changes within about {} s.</source>
+        <translation>Was bleibt, verhält sich wie ein Strom von {} {} (Effektivwert) bei {}, den niemand gemessen hat und der sich innerhalb von etwa {} s ändert.</translation>
     </message>
     <message>
         <source>indicated: structure remains, but with it the error of what was left out of the fit falls from {} to {}, in {} of {} parts</source>

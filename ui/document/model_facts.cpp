@@ -1,9 +1,16 @@
 #include "ui/document/model_facts.hpp"
 
+#include <algorithm>
+
 #include "core/flat/flat_model.hpp"
 #include "core/study/parameter_reader.hpp"
 
 namespace analogon::ui {
+
+std::string unitOf(const std::vector<SignalFact>& facts, const std::string& signal) {
+    const auto found = std::find_if(facts.begin(), facts.end(), [&](const SignalFact& f) { return f.name == signal; });
+    return found == facts.end() ? std::string() : found->unit;
+}
 
 ModelFacts modelFacts(const Study& study) {
     ModelFacts facts;

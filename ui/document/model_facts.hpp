@@ -24,6 +24,9 @@ struct SignalFact {
     std::string description;
 };
 
+/// The unit of a signal; empty: it has none, or is not among them.
+std::string unitOf(const std::vector<SignalFact>& facts, const std::string& signal);
+
 /// What the lists need to know of a study's model; empty lists when it cannot be flattened.
 struct ModelFacts {
     std::vector<ParameterFact> parameters;

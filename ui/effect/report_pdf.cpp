@@ -108,7 +108,7 @@ QString reportBody(const QString& title, RunKind kind, const Finding& finding, s
         for (const QString& sentence : {words.where, words.movesWith, words.proposal, words.proposalFacts})
             if (!sentence.isEmpty()) html += "<p>" + sentence.toHtmlEscaped() + "</p>";
     }
-    if (finding.disturbance) html += "<p>" + inWords(disturbanceWords(*finding.disturbance)).toHtmlEscaped() + ".</p>";
+    if (finding.disturbance) html += "<p>" + inWords(disturbanceWords(*finding.disturbance)).toHtmlEscaped() + "</p>";
     if (!finding.nextExperiment.empty())
         html += "<h2>" + tr("Next experiment") + "</h2><p>" + inWords(finding.nextExperiment).toHtmlEscaped() + "</p>";
     if (!finding.candidates.empty()) {

@@ -298,7 +298,7 @@ void ResultPanel::addRemainder(const Finding& finding) {
         if (!r.proposedBlock.empty())  // written for this model alone: no library has it to look up
             label->setToolTip("<pre>" + text(r.proposedBlock).toHtmlEscaped() + "</pre>");
     }
-    if (finding.disturbance) addText(inWords(disturbanceWords(*finding.disturbance)) + ".");
+    if (finding.disturbance) addText(inWords(disturbanceWords(*finding.disturbance)));
     addProposalAdoption(finding);
     if (!finding.nextExperiment.empty()) {
         addHeading(tr("Next experiment"));

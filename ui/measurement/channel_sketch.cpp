@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/measurement/course_frame.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
@@ -66,20 +67,12 @@ void ChannelSketch::show(CourseSketch course) {
 void ChannelSketch::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const int line = fontMetrics().height();
-    const QRectF frame = QRectF(rect()).adjusted(style::unit, line + style::unit, -style::unit, -line - style::unit);
-    painter.fillRect(frame, style::canvas(palette()));
-    painter.setPen(style::hairline(palette()));
-    painter.drawRect(frame);
+    const QRectF frame = paintCourseFrame(painter, *this);
     const auto [least, largest] = rangeOf(course_);
     if (!(least <= largest)) return;
-    painter.setPen(style::mutedText(palette()));
-    const QRectF labels(frame.left(), 0, frame.width(), height());
-    painter.drawText(labels, Qt::AlignLeft | Qt::AlignTop, style::numberText(largest, 5));
-    painter.drawText(labels, Qt::AlignLeft | Qt::AlignBottom, style::numberText(least, 5));
-    painter.drawText(labels, Qt::AlignRight | Qt::AlignBottom,
-                     QStringLiteral("%1 … %2 %3")
-                         .arg(style::numberText(course_.from, 5), style::numberText(course_.to, 5), course_.unit));
+    paintCourseLabels(painter, frame, *this, style::numberText(largest, 5), style::numberText(least, 5),
+                      QStringLiteral("%1 … %2 %3")
+                          .arg(style::numberText(course_.from, 5), style::numberText(course_.to, 5), course_.unit));
     const double reach = largest > least ? largest - least : 1, middle = (least + largest) / 2;
     const auto y = [&](double value) {
         return frame.center().y() - (value - middle) / reach * (frame.height() - 2 * style::unit);

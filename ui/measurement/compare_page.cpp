@@ -29,11 +29,9 @@ const ChannelMapping* mappingOf(const StudyExperiment& experiment, const std::st
     return nullptr;
 }
 
-std::string unitOf(const ModelFacts& facts, const std::string& signal) {
-    for (const auto* signalFacts : {&facts.inputs, &facts.outputs})
-        for (const SignalFact& fact : *signalFacts)
-            if (fact.name == signal) return fact.unit;
-    return {};
+std::string unitIn(const ModelFacts& facts, const std::string& signal) {
+    const std::string ofInput = unitOf(facts.inputs, signal);
+    return ofInput.empty() ? unitOf(facts.outputs, signal) : ofInput;
 }
 
 }  // namespace
@@ -141,7 +139,7 @@ void ComparePage::refresh() {
     caption_->setText(tr("Reading …"));
     worker_.start<Comparison>(
         tr("Reading"),
-        [experiments, signal, unit = unitOf(document_.facts(), signal),
+        [experiments, signal, unit = unitIn(document_.facts(), signal),
          tables = document_.study().tables](const Progress& progress) {
             Comparison comparison;
             for (const StudyExperiment& e : experiments) {
@@ -166,7 +164,7 @@ void ComparePage::showComparison(Comparison comparison) {
     std::vector<CoursePlot::Line> lines;
     for (const Compared& compared : shown_.recordings)
         lines.push_back({compared.time, compared.values, compared.found ? compared.found->shift : 0.0});
-    plot_->show(std::move(lines), QString::fromStdString(unitOf(document_.facts(), signal_.toStdString())));
+    plot_->show(std::move(lines), QString::fromStdString(unitIn(document_.facts(), signal_.toStdString())));
     {
         const QSignalBlocker blocker(table_);
         table_->setRowCount(static_cast<int>(shown_.recordings.size()));

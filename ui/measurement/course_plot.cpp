@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "ui/measurement/course_frame.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
@@ -90,17 +91,10 @@ void CoursePlot::paintLine(QPainter& painter, const Line& line, const QRectF& fr
 void CoursePlot::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const int text = fontMetrics().height();
-    const QRectF frame = QRectF(rect()).adjusted(style::unit, text + style::unit, -style::unit, -text - style::unit);
-    painter.fillRect(frame, style::canvas(palette()));
-    painter.setPen(style::hairline(palette()));
-    painter.drawRect(frame);
-    painter.setPen(style::mutedText(palette()));
-    const QRectF labels(frame.left(), 0, frame.width(), height());
-    painter.drawText(labels, Qt::AlignLeft | Qt::AlignTop, style::numberText(high_, 5) + ' ' + unit_);
-    painter.drawText(labels, Qt::AlignLeft | Qt::AlignBottom, style::numberText(low_, 5) + ' ' + unit_);
-    painter.drawText(labels, Qt::AlignRight | Qt::AlignBottom,
-                     QStringLiteral("%1 … %2 s").arg(style::numberText(from_, 5), style::numberText(to_, 5)));
+    const QRectF frame = paintCourseFrame(painter, *this);
+    paintCourseLabels(painter, frame, *this, style::numberText(high_, 5) + ' ' + unit_,
+                      style::numberText(low_, 5) + ' ' + unit_,
+                      QStringLiteral("%1 … %2 s").arg(style::numberText(from_, 5), style::numberText(to_, 5)));
     painter.setClipRect(frame);
     const QRectF inner = frame.adjusted(0, style::unit, 0, -style::unit);
     for (std::size_t i = 0; i < lines_.size(); ++i) {

@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "core/measure/text/time_format.hpp"
+#include "ui/measurement/read_fields.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
 
@@ -53,7 +53,7 @@ QuestionCard::QuestionCard(QWidget* parent)
     connect(interval_, &QLineEdit::returnPressed, this, &QuestionCard::takeInterval);
     connect(interval_, &QLineEdit::textChanged, this, [this](const QString& text) {
         if (!buttons_.isEmpty() && !interval_->isHidden())
-            buttons_.front()->setEnabled(intervalOf(QString(text).replace(',', '.').toStdString()).has_value());
+            buttons_.front()->setEnabled(typedInterval(text).has_value());
     });
     answers_->setSpacing(2 * style::unit);
     auto* layout = new QVBoxLayout(this);
@@ -134,9 +134,11 @@ void QuestionCard::addButton(const QString& text, const ReadOptions& options) {
 }
 
 void QuestionCard::takeInterval() {
+    const std::optional<std::string> interval = typedInterval(interval_->text());
+    if (!interval) return;
     ReadOptions options = read_;
-    options.timeFormat = interval_->text().trimmed().replace(',', '.').toStdString();
-    if (intervalOf(options.timeFormat)) Q_EMIT answered(options);
+    options.timeFormat = *interval;
+    Q_EMIT answered(options);
 }
 
 }  // namespace analogon::ui

@@ -38,6 +38,11 @@ void showCount(QLineEdit* line, std::optional<std::size_t> count) {
 
 }  // namespace
 
+std::optional<std::string> typedInterval(const QString& text) {
+    std::string step = text.trimmed().replace(',', '.').toStdString();
+    return intervalOf(step) ? std::optional(std::move(step)) : std::nullopt;
+}
+
 ReadFields::ReadFields(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)), more_(new QToolButton(this)) {
     grid_->setContentsMargins(0, 0, 0, 0);
     grid_->setHorizontalSpacing(3 * style::unit);
@@ -130,8 +135,7 @@ ReadOptions ReadFields::options() const {
     options.header = countIn(header_);
     if (const QString units = units_->currentData().toString(); !units.isEmpty()) options.hasUnitsRow = units == "1";
     const QString time = timeFormat_->text().trimmed();
-    const std::string step = QString(time).replace(',', '.').toStdString();  // "0,001 s" of a German screen
-    options.timeFormat = intervalOf(step) ? step : time.toStdString();
+    options.timeFormat = typedInterval(time).value_or(time.toStdString());
     options.timeZone = timeZone_->text().trimmed().toStdString();
     options.encoding = encoding_->currentData().toString().toStdString();
     return options;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
+#include <string>
 
 #include "core/measure/read_options.hpp"
 
@@ -10,6 +12,10 @@ class QLineEdit;
 class QToolButton;
 
 namespace analogon::ui {
+
+/// A step of time as it is typed, with a point or a comma ("0,001 s"), in the form of "time_format"; nothing: it is
+/// none.
+std::optional<std::string> typedInterval(const QString& text);
 
 /// How a text is written, a field for each that a study can tell; what is left empty is found out from the file. The
 /// usual ones are in sight, the others behind a button.

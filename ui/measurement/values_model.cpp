@@ -11,9 +11,8 @@ namespace analogon::ui {
 namespace {
 
 std::string unitOf(const std::vector<SignalFact>& facts, const std::string& signal, const std::string& otherwise) {
-    for (const SignalFact& fact : facts)
-        if (fact.name == signal) return fact.unit.empty() ? otherwise : fact.unit;
-    return otherwise;
+    const std::string unit = unitOf(facts, signal);
+    return unit.empty() ? otherwise : unit;
 }
 
 }  // namespace

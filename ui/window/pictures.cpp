@@ -33,6 +33,7 @@
 #include "ui/measurement/compare_page.hpp"
 #include "ui/measurement/import_panel.hpp"
 #include "ui/measurement/measurement_panel.hpp"
+#include "ui/measurement/question_card.hpp"
 #include "ui/measurement/values_page.hpp"
 #include "ui/plot/plot_panel.hpp"
 #include "ui/style/style.hpp"
@@ -283,8 +284,8 @@ private:
         file.close();
         window.open(path);
         auto* import = window.findChild<ImportPanel*>();
-        waitFor([&] { return import->isVisible() && !import->problems().startsWith("…"); }, 3000);
-        settle(400);
+        waitFor([&] { return import->question()->isVisible(); }, 3000);
+        settle();
         take(window, "06-import-question");
         QMetaObject::invokeMethod(import, "cancelled");
     }

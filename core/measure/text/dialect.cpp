@@ -195,10 +195,6 @@ SampledRows sampleBy(const TextHead& head, char separator) {
     return sample;
 }
 
-}  // namespace
-
-namespace {
-
 /// The header of a table that is parted otherwise.
 bool isOneWordAbove(const SampledRows& sample) {
     return sample.begin > 0 && sample.rows[sample.begin - 1].filled == 1 && widest(sample) > 1;
@@ -216,10 +212,6 @@ bool isWholeTable(const SampledRows& sample) {
         if (!holds(sample.rows[r], CellKind::Number)) return false;
     return width > 1 && holds(sample.rows[sample.begin - 1], CellKind::Words);
 }
-
-}  // namespace
-
-namespace {
 
 /// Whether the first of the sampled rows has more than one cell; a text may have no row at all.
 bool isParted(const SampledRows& sample) {
@@ -252,9 +244,16 @@ SampledRows sampledRows(const TextHead& head) {
     return best;
 }
 
+namespace {
+
+/// The mark in a cell of which nobody can tell what it stands for.
+char openMarkIn(const CsvCell& cell) { return cell.text.find(',') != std::string::npos ? ',' : '.'; }
+
+}  // namespace
+
 Diagnostic openMark(const CsvCell& cell, int line, const ReadOptions& options, const std::string& file,
                     Questions& asked) {
-    const char mark = cell.text.find(',') != std::string::npos ? ',' : '.';
+    const char mark = openMarkIn(cell);
     const std::string text = shortened(std::string(withoutBlanks(cell.text)), limits::quotedBytes);
     const double decimals = readCell(text, mark).value;
     Reading ofDecimals{phrase("'{}' is {:.10g}", text, decimals), options}, ofThousands = ofDecimals;
@@ -334,8 +333,10 @@ Outcome<NumberMarks> numberMarks(const SampledRows& sample, const ReadOptions& o
     if (!options.thousands) marks.thousands = found.thousands;
     if (options.decimal && !options.thousands && marks.thousands == 0) {
         // beside decimals that are told, the other mark parts thousands
-        if (*options.decimal == ',' && found.hasOpenPoint && !found.isPoint) marks.thousands = '.';
-        if (*options.decimal == '.' && found.hasOpenComma && !found.isComma) marks.thousands = ',';
+        const bool isComma = *options.decimal == ',';
+        const bool isOpen = isComma ? found.hasOpenPoint : found.hasOpenComma;
+        const bool isDecimalToo = isComma ? found.isPoint : found.isComma;
+        if (isOpen && !isDecimalToo) marks.thousands = isComma ? '.' : ',';
     }
     if (!marks.decimal) {
         if (found.isPoint != found.isComma) {
@@ -344,7 +345,7 @@ Outcome<NumberMarks> numberMarks(const SampledRows& sample, const ReadOptions& o
             return NumberMarks{std::nullopt, found.thousands};  // both: the reader names the lines
         } else if (found.openRow) {
             const CsvCell& cell = found.openRow->cells[found.openCell];
-            const char mark = cell.text.find(',') != std::string::npos ? ',' : '.';
+            const char mark = openMarkIn(cell);
             // thousands are parted everywhere or nowhere
             bool isDecimal = sample.separator == ',' && mark == '.';
             for (std::size_t i = 0; i < found.openIn.size(); ++i)
@@ -355,7 +356,7 @@ Outcome<NumberMarks> numberMarks(const SampledRows& sample, const ReadOptions& o
     }
     if (marks.decimal && !options.thousands && marks.thousands == 0 && found.openRow) {
         const CsvCell& cell = found.openRow->cells[found.openCell];
-        const char mark = cell.text.find(',') != std::string::npos ? ',' : '.';
+        const char mark = openMarkIn(cell);
         if (mark != *marks.decimal && !found.longWithout[found.openCell]) {
             // a column of thousands has smaller numbers, too, which have no mark
             if (!found.shortWithout[found.openCell])

@@ -177,12 +177,12 @@ private:
             if (!isKnownUnit(unit)) return false;
             hasTime = hasTime || (namesTime(column.header.substr(0, slash)) && areConvertible(unit, "s"));
         }
+        if (!hasTime) return false;
         for (LayoutColumn& column : layout_.columns) {
-            if (!hasTime) return false;
             column.name = column.header.substr(0, column.header.find('/'));
             column.unit = column.header.substr(column.name.size() + 1);
         }
-        return hasTime;
+        return true;
     }
 
     /// Where one place has several names, or a name behind a slash is no unit, none of them is one.

@@ -53,13 +53,7 @@ inline EstimationTask heatedBoard(double exchange, double element, std::array<do
     EstimationTask task = taskOf(boardText, "Board");
     for (const char* name : {"body1.C", "body2.C"}) task.parameters.push_back({name, "J/K", 3, 0.1, 100});
     for (const char* name : {"loss1.G", "loss2.G"}) task.parameters.push_back({name, "W/K", 0.2, 0.001, 10});
-    Recording r;
-    r.name = "steps";
-    r.inputNames = {"P1", "P2"};
-    r.outputNames = {"T1", "T2"};
-    r.inputs.resize(2, samples);
-    r.outputs.resize(2, samples);
-    r.weights = Eigen::VectorXd::Ones(2);
+    Recording r = blankRecording("steps", {"P1", "P2"}, {"T1", "T2"}, samples);
     std::mt19937 random(4);
     std::normal_distribution<double> normal;
     const auto powerAt = [](int body, int k) { return (k / (body == 0 ? 90 : 130)) % 2 == 0 ? 6.0 : 1.0; };

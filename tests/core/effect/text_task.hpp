@@ -17,4 +17,17 @@ inline EstimationTask taskOf(const std::string& text, const std::string& classNa
     return task;
 }
 
+/// A recording of these inputs and outputs whose stamps and values are still to be filled in: `samples` of them.
+inline Recording blankRecording(const std::string& name, std::vector<std::string> inputs,
+                                std::vector<std::string> outputs, int samples) {
+    Recording r;
+    r.name = name;
+    r.inputs.resize(static_cast<Eigen::Index>(inputs.size()), samples);
+    r.outputs.resize(static_cast<Eigen::Index>(outputs.size()), samples);
+    r.weights = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(outputs.size()));
+    r.inputNames = std::move(inputs);
+    r.outputNames = std::move(outputs);
+    return r;
+}
+
 }  // namespace analogon

@@ -29,16 +29,8 @@ end Body;
     return task;
 }
 
-/// A recording of P and T whose values are still to be filled in: `samples` of them.
 inline Recording warmBodyRecording(const std::string& name, int samples) {
-    Recording r;
-    r.name = name;
-    r.inputNames = {"P"};
-    r.outputNames = {"T"};
-    r.inputs.resize(1, samples);
-    r.outputs.resize(1, samples);
-    r.weights = Eigen::VectorXd::Ones(1);
-    return r;
+    return blankRecording(name, {"P"}, {"T"}, samples);
 }
 
 }  // namespace analogon

@@ -33,13 +33,7 @@ end Body;
 Recording recorded(const std::string& name, double T, double T2, unsigned seed) {
     constexpr int samples = 400, within = 50;
     constexpr double step = 0.5, dt = step / within;
-    Recording r;
-    r.name = name;
-    r.inputNames = {"P"};
-    r.outputNames = {"T"};
-    r.inputs.resize(1, samples);
-    r.outputs.resize(1, samples);
-    r.weights = Eigen::VectorXd::Ones(1);
+    Recording r = blankRecording(name, {"P"}, {"T"}, samples);
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
     const auto power = [](int k) { return (k / 80) % 2 == 0 ? 6.0 : 1.0; };

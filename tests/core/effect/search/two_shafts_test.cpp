@@ -51,13 +51,7 @@ EstimationTask shafts(const Hidden& hidden) {
     EstimationTask task = taskOf(shaftsText, "Shafts");
     for (const char* name : {"rotor1.J", "rotor2.J"}) task.parameters.push_back({name, "kg.m2", 0.02, 1e-3, 1});
     for (const char* name : {"load1.b", "load2.b"}) task.parameters.push_back({name, "N.m.s/rad", 0.03, 1e-3, 1});
-    Recording r;
-    r.name = "steps";
-    r.inputNames = {"u1", "u2"};
-    r.outputNames = {"w1", "w2"};
-    r.inputs.resize(2, samples);
-    r.outputs.resize(2, samples);
-    r.weights = Eigen::VectorXd::Ones(2);
+    Recording r = blankRecording("steps", {"u1", "u2"}, {"w1", "w2"}, samples);
     std::mt19937 random(8);
     std::normal_distribution<double> normal;
     const auto torque = [](int shaft, int k) {
