@@ -5,15 +5,9 @@
 
 #include "core/base/outcome.hpp"
 #include "core/flat/external_functions.hpp"
+#include "core/flat/table_file.hpp"
 
 namespace analogon {
-
-/// Numbers in rows.
-struct Matrix {
-    std::size_t rows{}, columns{};
-    std::vector<double> values;
-    double operator()(std::size_t i, std::size_t j) const { return values[i * columns + j]; }
-};
 
 /// As the enumerations Modelica.Blocks.Types.Smoothness, Extrapolation and TimeEvents count.
 enum class Smoothness { Linear = 1, Akima, Constant, FritschButland, Steffen, ModifiedAkima };
@@ -31,9 +25,5 @@ Outcome<ExternalTable> oneDimensional(const Matrix& table, const std::vector<int
 Outcome<ExternalTable> twoDimensional(const Matrix& table, Smoothness smoothness, TableExtrapolation extrapolation);
 Outcome<ExternalTable> timeTable(const Matrix& table, const std::vector<int>& columns, Smoothness smoothness,
                                  TableExtrapolation extrapolation, double start, double shift, TimeEvents events);
-
-/// A matrix of a text file (`double name(rows, columns)` behind a line #1) , of a CSV or of a MATLAB file.
-Outcome<Matrix> readTableFile(const std::string& file, const std::string& name, const std::string& delimiter,
-                              int headerLines);
 
 }  // namespace analogon

@@ -1,6 +1,7 @@
 #include "core/measure/mat/mat_values.hpp"
 
 #include <cstdint>
+#include <map>
 
 #include "core/measure/encoding.hpp"
 
@@ -101,6 +102,34 @@ std::vector<std::string> textList(const matvar_t& variable) {
         texts.push_back(rows.front());
     }
     return texts;
+}
+
+const matvar_t* fieldOf(const matvar_t& structure, const std::string& name, std::size_t index) {
+    // libmatio only reads what it is given, whatever its signature says
+    return Mat_VarGetStructFieldByName(const_cast<matvar_t*>(&structure), name.c_str(), index);
+}
+
+Outcome<std::vector<ChannelValues>> readPlaces(const std::string& name, const std::vector<VariablePlace>& places,
+                                               const Progress& progress) {
+    const FilePtr file(Mat_Open(name.c_str(), MAT_ACC_RDONLY));
+    if (!file) return fileError(phrase("the file cannot be read"), name);
+    std::map<std::string, VariablePtr> variables;  // each is read once
+    std::vector<ChannelValues> values;
+    for (const VariablePlace& place : places) {
+        if (progress.stopRequested()) return fileError(phrase("reading was stopped"), name);
+        VariablePtr& variable = variables[place.variable];
+        if (!variable) variable.reset(Mat_VarRead(file.get(), place.variable.c_str()));
+        const matvar_t* found = variable.get();
+        for (const FieldStep& step : place.steps) found = found ? fieldOf(*found, step.field, step.index) : nullptr;
+        std::vector<double> read =
+            found ? numbers(*found, place.first, place.stride, place.count) : std::vector<double>();
+        if (read.size() != place.count)
+            return fileError(phrase("variable \"{}\" cannot be read", place.variable), name);
+        if (place.scale != 1 || place.offset != 0)
+            for (double& x : read) x = x * place.scale + place.offset;
+        values.push_back({std::move(read), {}});
+    }
+    return values;
 }
 
 }  // namespace analogon::mat

@@ -6,6 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "core/base/outcome.hpp"
+#include "core/base/progress.hpp"
+#include "core/measure/recording.hpp"
+
 /// Values of libmatio's variables.
 namespace analogon::mat {
 
@@ -18,6 +22,21 @@ struct VariableFreer {
 using FilePtr = std::unique_ptr<mat_t, FileCloser>;
 using VariablePtr = std::unique_ptr<matvar_t, VariableFreer>;
 
+/// How to get from a variable to values within it.
+struct FieldStep {
+    std::string field;    // of a structure
+    std::size_t index{};  // in an array of structures
+};
+/// Where a channel has its values: `count` from `first` on, `stride` apart; value = number * scale + offset.
+struct VariablePlace {
+    std::string variable;
+    std::vector<FieldStep> steps{};
+    std::size_t first{}, stride{1}, count{};
+    double scale{1}, offset{0};
+};
+
+const matvar_t* fieldOf(const matvar_t& structure, const std::string& name, std::size_t index);
+
 bool isNumeric(const matvar_t& variable);
 std::size_t valuesOf(const matvar_t& variable);
 
@@ -29,5 +48,9 @@ std::vector<std::string> textRows(const matvar_t& variable);
 
 /// Rows of a character array, or the texts of a cell array. Empty: something else.
 std::vector<std::string> textList(const matvar_t& variable);
+
+/// The values at each place; a variable is read once. Faults: the file, or a variable, cannot be read; stopped.
+Outcome<std::vector<ChannelValues>> readPlaces(const std::string& file, const std::vector<VariablePlace>& places,
+                                               const Progress& progress);
 
 }  // namespace analogon::mat

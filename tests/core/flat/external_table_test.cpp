@@ -144,22 +144,5 @@ TEST(ExternalTable, ASteppedSurfaceGoesOnAsAPlane) {
                     ->alongBeyond.empty());
 }
 
-TEST(ExternalTable, IsReadFromTextAndCsv) {
-    const fs::path folder = fs::temp_directory_path() / ("analogon-table-" + std::to_string(getpid()));
-    fs::create_directories(folder);
-    const std::string text = (folder / "t.txt").string(), csv = (folder / "t.csv").string();
-    std::ofstream(text) << "#1\ndouble other(1,2)\n 0 0\ndouble tab(3,2) # a comment\n 0 1\n 1 2.5 # more\n 2 -3e1\n";
-    std::ofstream(csv) << "a;b\n0;1\n1;2.5\n";
-    const auto read = readTableFile(text, "tab", ",", 0);
-    ASSERT_TRUE(read) << format(read.diagnostics());
-    EXPECT_EQ(read->rows, 3u);
-    EXPECT_DOUBLE_EQ((*read)(2, 1), -30);
-    const auto cells = readTableFile(csv, "Values", ";", 1);
-    ASSERT_TRUE(cells) << format(cells.diagnostics());
-    EXPECT_DOUBLE_EQ((*cells)(1, 1), 2.5);
-    EXPECT_FALSE(readTableFile(text, "none", ",", 0));
-    fs::remove_all(folder);
-}
-
 }  // namespace
 }  // namespace analogon

@@ -1,0 +1,52 @@
+#include "core/measure/mat/mat_apart.hpp"
+
+#include <hdf5.h>
+
+#include "core/base/apart.hpp"
+#include "core/measure/mat/mat_hdf.hpp"
+#include "core/measure/mat/mat_message.hpp"
+
+namespace analogon::mat {
+
+namespace {
+
+Outcome<Channels> findChannels73(const std::string& file) {
+    // what is wrong with a file is told here, not on the standard error of the program
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    const Check check = checkLevel73(file);
+    if (check.fault) return fileError(*check.fault, file, 0, 0, phrase("copy it again from where it was recorded"));
+    return findChannels(file, check.opaque);
+}
+
+Outcome<std::string> readApart(const std::function<std::string()>& work, const std::string& file,
+                               const Progress& progress) {
+    Outcome<std::string> bytes =
+        runApart(work, mostReadingTime(file), phrase("the file is damaged: it cannot be read as MATLAB 7.3"), progress);
+    if (bytes) return bytes;
+    Diagnostic fault = bytes.diagnostics()[0];
+    fault.place.file = file;
+    if (fault.hint.empty() && !progress.stopRequested())
+        fault.hint = phrase("copy it again from where it was recorded");
+    return fault;
+}
+
+}  // namespace
+
+Outcome<Channels> findChannelsApart(const std::string& file) {
+    const Outcome<std::string> bytes = readApart([&] { return encoded(findChannels73(file)); }, file, {});
+    if (!bytes) return bytes.diagnostics();
+    return decodedChannels(*bytes);
+}
+
+Outcome<std::vector<ChannelValues>> readPlacesApart(const std::string& file, const std::vector<VariablePlace>& places,
+                                                    const Progress& progress) {
+    const auto work = [&] {
+        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+        return encoded(readPlaces(file, places, progress));
+    };
+    const Outcome<std::string> bytes = readApart(work, file, progress);
+    if (!bytes) return bytes.diagnostics();
+    return decodedValues(*bytes);
+}
+
+}  // namespace analogon::mat
