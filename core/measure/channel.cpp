@@ -10,6 +10,7 @@
 #include "core/base/median.hpp"
 #include "core/base/unit.hpp"
 #include "core/base/visible.hpp"
+#include "core/measure/column_header.hpp"
 #include "core/measure/time_faults.hpp"
 
 namespace analogon {
@@ -99,11 +100,31 @@ std::string inBrackets(const std::string& name) {
     return hasLetter ? text : std::string();
 }
 
+/// A column without a unit of which the name ends with another one than the model's ("i_mA" for amperes): its numbers
+/// may be in either.
+Diagnostics otherUnitAtEnd(const Table& table, const Column& column, const std::string& unit) {
+    const std::string end = unitAtEnd(column.name);
+    if (end.empty() || unit.empty() || unit == "1") return {};
+    const auto convert = convertUnit(end, unit);
+    if (!convert || !std::isfinite(convert->factor) || (convert->factor == 1 && convert->offset == 0)) return {};
+    Diagnostic note = fileError(
+        phrase("column '{}' has no unit and its name ends in '{}': its numbers are taken to be in '{}', as the model "
+               "wants them",
+               quoted(column.name), end, unit),
+        table.file, column.line, column.position,
+        phrase("Say which it is in the study: {{\"column\": \"{}\", \"unit\": \"{}\"}} or {{\"column\": \"{}\", "
+               "\"unit\": \"{}\"}}.",
+               column.name, end, column.name, unit));
+    note.severity = Severity::Warning;
+    return {note};
+}
+
 /// A column without a unit of which the name ends with one that nobody knows. What begins with a unit of the model's
 /// kind was meant as one: a fault. Else a remark: the numbers are taken as they are.
 Diagnostics doubtfulUnit(const Table& table, const Column& column, const std::string& unit) {
     const std::string text = inBrackets(column.name);
-    if (text.empty() || unit.empty() || unit == "1") return {};
+    if (text.empty()) return otherUnitAtEnd(table, column, unit);
+    if (unit.empty() || unit == "1") return {};
     if (beginsWithUnitOf(text, unit)) return {unknownUnit(table, column, text)};
     Diagnostic note =
         fileError(phrase("'({})' behind the name of column '{}' is no unit that is known: its numbers are taken to be "

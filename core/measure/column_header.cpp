@@ -1,6 +1,7 @@
 #include "core/measure/column_header.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "core/base/unit.hpp"
@@ -38,6 +39,30 @@ std::optional<ColumnHeader> behindComma(std::string_view text) {
 
 }  // namespace
 
+namespace {
+
+/// "l/min": an amount by a time, and not a symbol by its unit ("T/K").
+bool isRate(std::string_view unit) {
+    constexpr std::string_view amounts = " l L ml m mm cm km m3 m^3 g kg mg rad deg rev U 1 \u00B0 \u00B0C m\u00B3 ";
+    constexpr std::array<std::string_view, 4> times{"min", "s", "h", "sec"};
+    const std::size_t slash = unit.find('/');
+    return slash != std::string_view::npos &&
+           amounts.find(' ' + std::string(unit.substr(0, slash)) + ' ') != std::string_view::npos &&
+           std::find(times.begin(), times.end(), unit.substr(slash + 1)) != times.end();
+}
+
+/// "Flow l/min", "Temp °C": behind the last blank, a rate or a unit that begins with a sign that no word has.
+std::optional<ColumnHeader> behindBlank(std::string_view text) {
+    const std::size_t blank = text.find_last_of(" \t");
+    if (blank == std::string_view::npos || blank == 0) return std::nullopt;
+    const std::string_view unit = text.substr(blank + 1);
+    const bool hasSign = unit == "%" || unit.starts_with("\xC2\xB0") || unit.starts_with("\xC2\xB5") ||
+                         unit.ends_with("\xCE\xA9") || unit.ends_with("\xE2\x84\xA6");
+    return (hasSign || isRate(unit)) && isUnit(unit) ? std::optional(make(text.substr(0, blank), unit)) : std::nullopt;
+}
+
+}  // namespace
+
 ColumnHeader readColumnHeader(std::string_view text) {
     text = trimmed(text);
     if (text.ends_with(']')) {
@@ -61,10 +86,28 @@ ColumnHeader readColumnHeader(std::string_view text) {
         if (isUnit(text.substr(word + 4))) return make(text.substr(0, word), text.substr(word + 4));
     if (const std::size_t slash = text.find(" / "); slash != std::string_view::npos && slash > 0)
         if (isUnit(text.substr(slash + 3))) return make(text.substr(0, slash), text.substr(slash + 3));
+    if (const auto header = behindBlank(text)) return *header;
     // "T/degC", but not a name that is itself a unit, as "m/s".
     if (const std::size_t slash = text.find('/'); slash != std::string_view::npos && slash > 0 && !isKnownUnit(text))
         if (isUnit(text.substr(slash + 1))) return make(text.substr(0, slash), text.substr(slash + 1));
     return behindComma(text).value_or(make(text, {}));
+}
+
+std::string unitAtEnd(std::string_view name) {
+    const std::size_t last = name.find_last_of("_ ");
+    if (last == std::string_view::npos || last == 0) return {};
+    const std::string_view tail = name.substr(last + 1);
+    const std::size_t before = name.rfind('_', last - 1);
+    if (before != std::string_view::npos) {
+        const std::string ratio = std::string(name.substr(before + 1, last - before - 1)) + '/' + std::string(tail);
+        if (isKnownUnit(ratio)) return ratio;
+    }
+    if (tail == "pct" || tail == "percent") return "%";
+    if (tail == "C") return "degC";
+    constexpr std::array<std::string_view, 27> usual{"s",  "ms", "us",   "min", "V",   "mV",   "kV",  "A",  "mA",
+                                                     "uA", "K",  "degC", "rpm", "rad", "deg",  "Nm",  "W",  "kW",
+                                                     "mW", "Pa", "kPa",  "hPa", "bar", "mbar", "Ohm", "mm", "Hz"};
+    return std::find(usual.begin(), usual.end(), tail) == usual.end() ? std::string() : std::string(tail);
 }
 
 std::string readUnitCell(std::string_view text) {

@@ -4,7 +4,7 @@
 
 namespace analogon {
 
-/// Whether a name says time: t, time, Zeit, timestamp …
+/// Whether a name says time: t (not T), time, Zeit, timestamp, t_ms …
 bool namesTime(std::string_view name);
 
 }  // namespace analogon

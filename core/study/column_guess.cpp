@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/base/unit.hpp"
+#include "core/measure/column_header.hpp"
 
 namespace analogon {
 
@@ -39,23 +40,6 @@ bool hasAny(const Words& words, std::initializer_list<const char*> hints) {
     return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
         return std::any_of(hints.begin(), hints.end(), [&](const char* hint) { return word == hint; });
     });
-}
-
-/// "motor_speed_rad_s" ends in rad/s, "heater1_pct" in %.
-std::string unitInName(const std::string& name) {
-    const std::size_t last = name.rfind('_');
-    if (last == std::string::npos || last == 0) return {};
-    const std::string tail = name.substr(last + 1);
-    const std::size_t before = name.rfind('_', last - 1);
-    if (before != std::string::npos) {
-        const std::string ratio = name.substr(before + 1, last - before - 1) + '/' + tail;
-        if (isKnownUnit(ratio)) return ratio;
-    }
-    if (tail == "pct" || tail == "percent") return "%";
-    for (const char* const usual :
-         {"s", "ms", "min", "V", "mV", "A", "mA", "K", "degC", "C", "rpm", "rad", "deg", "Nm", "W", "kW", "hPa", "bar"})
-        if (tail == usual) return tail == "C" ? "degC" : tail;
-    return {};
 }
 
 /// The unit that a bare name stands for, as "u" or "current".
@@ -169,7 +153,7 @@ std::vector<GuessedColumn> guessColumns(const Table& table) {
         guess.unit = column.unit;
         if (column.isOnOtherRaster && &column != &table.columns.front()) guess.group = column.groupName();
         if (guess.unit.empty()) {
-            guess.unit = unitInName(column.name);
+            guess.unit = unitAtEnd(column.name);
             if (guess.unit.empty()) guess.unit = unitOfWord(words, column);
             guess.isUnitAssumed = !guess.unit.empty();
         }

@@ -6290,6 +6290,46 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>die Datei ist beschädigt: sie lässt sich nicht öffnen</translation>
     </message>
     <message>
+        <source>column '{}' has no unit and its name ends in '{}': its numbers are taken to be in '{}', as the model wants them</source>
+        <translation>Spalte „{}“ hat keine Einheit, und ihr Name endet auf „{}“: Ihre Zahlen werden in „{}“ genommen, wie das Modell sie will</translation>
+    </message>
+    <message>
+        <source>Say which it is in the study: {{&quot;column&quot;: &quot;{}&quot;, &quot;unit&quot;: &quot;{}&quot;}} or {{&quot;column&quot;: &quot;{}&quot;, &quot;unit&quot;: &quot;{}&quot;}}.</source>
+        <translation>Sagen Sie in der Studie, was gilt: {{&quot;column&quot;: &quot;{}&quot;, &quot;unit&quot;: &quot;{}&quot;}} oder {{&quot;column&quot;: &quot;{}&quot;, &quot;unit&quot;: &quot;{}&quot;}}.</translation>
+    </message>
+    <message>
+        <source>the time in column '{}' is taken in {}, as its name says</source>
+        <translation>die Zeit in Spalte „{}“ wird in {} genommen, wie ihr Name sagt</translation>
+    </message>
+    <message>
+        <source>the time in column '{}' goes back in line {}: the rows are not in their order</source>
+        <translation>die Zeit in Spalte „{}“ geht in Zeile {} zurück: Die Zeilen sind nicht in ihrer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>minutes</source>
+        <translation>Minuten</translation>
+    </message>
+    <message>
+        <source>, names in front of the numbers</source>
+        <translation>, Namen vor den Zahlen</translation>
+    </message>
+    <message>
+        <source>the file is packed ({})</source>
+        <translation>die Datei ist gepackt ({})</translation>
+    </message>
+    <message>
+        <source>Unpack it, and take the file that is in it.</source>
+        <translation>Entpacken Sie sie und nehmen Sie die Datei, die darin ist.</translation>
+    </message>
+    <message>
+        <source>the file is damaged: it cannot be read as MATLAB 7.3</source>
+        <translation>die Datei ist beschädigt: sie lässt sich nicht als MATLAB 7.3 lesen</translation>
+    </message>
+    <message>
+        <source>the file is damaged: it cannot be read as a MATLAB file</source>
+        <translation>die Datei ist beschädigt: sie lässt sich nicht als MATLAB-Datei lesen</translation>
+    </message>
+    <message>
         <source>the file is damaged or ends too early: it begins as MATLAB 7.3 and cannot be opened</source>
         <translation>die Datei ist beschädigt oder endet zu früh: Sie beginnt wie MATLAB 7.3 und lässt sich nicht öffnen</translation>
     </message>

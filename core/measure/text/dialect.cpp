@@ -26,6 +26,7 @@ TextHead headOf(std::string_view text, const ReadOptions& options, std::size_t m
             head.isWhole = true;
             break;
         }
+        joinQuoted(line, reader);
         if (options.skip && line.number <= static_cast<int>(*options.skip)) continue;
         if (line.number == 1 && line.text.starts_with("sep=") && line.text.size() == 5) {
             if (!head.separator) head.separator = line.text[4];  // as spreadsheets write it
@@ -38,6 +39,22 @@ TextHead headOf(std::string_view text, const ReadOptions& options, std::size_t m
     return head;
 }
 
+namespace {
+
+/// The lines of a cell behind one another.
+std::string onOneLine(std::string text) {
+    if (text.find_first_of("\r\n") == std::string::npos) return text;
+    std::string line;
+    for (const char c : text)
+        if (c != '\r' && c != '\n')
+            line += c;
+        else if (!line.empty() && line.back() != ' ')
+            line += ' ';
+    return line;
+}
+
+}  // namespace
+
 SampleRow sampleRowOf(const TextLine& line, char separator) {
     SampleRow row;
     row.line = line;
@@ -45,7 +62,7 @@ SampleRow sampleRowOf(const TextLine& line, char separator) {
     row.cells = std::move(split.cells);
     row.openQuote = split.openQuote;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
-        row.cells[i].text = inUtf8(row.cells[i].text);
+        row.cells[i].text = inUtf8(onOneLine(std::move(row.cells[i].text)));
         row.kinds.push_back(kindOf(row.cells[i].text));
         if (!row.cells[i].text.empty()) row.filled = i + 1;
     }

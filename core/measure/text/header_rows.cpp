@@ -179,7 +179,8 @@ SampleRow rejoined(const SampleRow& row, std::size_t width) {
 /// Units alone: their names were left out ("second,Volt").
 bool isUnitsAlone(const SampleRow& row) {
     const std::string first = row.cells.empty() ? std::string() : readUnitCell(row.cells[0].text);
-    if (first.size() < 2 || !areConvertible(first, "s")) return false;
+    // names of counters that can be read as units
+    if (first.size() < 2 || first == "millis" || first == "micros" || !areConvertible(first, "s")) return false;
     return row.filled > 1 && std::all_of(row.cells.begin(), row.cells.end(), [](const CsvCell& cell) {
                return cell.text.empty() || isKnownUnit(readUnitCell(cell.text));
            });

@@ -16,6 +16,7 @@
 #include "core/measure/encoding.hpp"
 #include "core/measure/plain_number.hpp"
 #include "core/measure/text/remark.hpp"
+#include "core/measure/text/row_fault.hpp"
 #include "core/measure/text/tidy_columns.hpp"
 #include "core/measure/text/time_format.hpp"
 
@@ -206,11 +207,11 @@ private:
         if (row.cells.size() < count && layout_.arePadded && !isWordAlone(row))
             row.cells.resize(count, {"", static_cast<int>(line_.text.size()) + 1, false});
         if (row.cells.size() != count) {
-            if (isWordAlone(row) && isEndOfText()) return isAtEnd_ = true;
+            if ((isWordAlone(row) && isEndOfText()) || isFooter(row)) return isAtEnd_ = true;
             return ragged(row);
         }
         if (isEmptyRow(row)) return isLeftOut_ = true;
-        if (isBehindGap_ && isFooter(row)) return isAtEnd_ = true;
+        if (isFooter(row)) return isAtEnd_ = true;
         for (std::size_t i = 0; i < count; ++i)
             if (!readCellOf(i, row.cells[i])) return false;
         return true;
@@ -239,7 +240,8 @@ private:
         return true;
     }
 
-    /// Rows of another table behind an empty line ("Min,0.1"): words in front to the end of the text, over numbers.
+    /// Rows of another table ("Min,0.1"): words in front to the end of the text, over numbers; more than one row, or
+    /// behind an empty line.
     bool isFooter(const CsvRow& first) {
         constexpr std::size_t most = 20;
         const auto isWord = [](const CsvRow& row) { return kindOf(row.cells.front().text) == CellKind::Words; };
@@ -249,6 +251,7 @@ private:
         for (TextLine line; ahead.next(line);)
             if (!isEmptyLine(line.text) && (++count > most || !isWord(splitCsvRow(line.text, separator_))))
                 return false;
+        if (!isBehindGap_ && count == 0) return false;  // one row may be one that is damaged
         warnings_.push_back(asWarning(
             fileError(phrase("the lines from here on are no rows of the table and are left out: '{}' stands in front",
                              cited(first.cells.front().text)),
@@ -376,18 +379,10 @@ private:
         const std::size_t expected = table().columns.size();
         const std::size_t found = row.cells.size();
         const int position = found > expected ? row.cells[expected].position : static_cast<int>(line_.text.size()) + 1;
-        Text hint = phrase("Every row needs one cell for each column of the header.");
-        if (found < expected && separator_ == ',' && layout_.headerLine > 0)
-            hint += phrase(" A name with a comma needs quotation marks.");
-        if (separator_ == ',' && found == 2 * expected)
-            hint = phrase(
-                "There are exactly twice as many: the commas seem to be decimal marks as well. Export with "
-                "decimal points, or with ; or a tab between the columns.");
-        else if (separator_ == ',' && found > expected)
-            hint += phrase(" If the commas are decimal marks, the columns must be separated by ; or a tab.");
         return fault(found == 1 ? phrase("this row has one cell, the header has {}", expected)
                                 : phrase("this row has {} cells, the header has {}", found, expected),
-                     line_.number, position, std::move(hint), line_.text);
+                     line_.number, position, hintOfLength(found, expected, separator_, layout_.headerLine > 0),
+                     line_.text);
     }
 
     bool notANumber(const CsvCell& cell, const std::string& column) {
@@ -399,24 +394,8 @@ private:
                                                cited(cell.text), cited(column), decimalLine_),
                          line_.number, cell.position, phrase("Write the whole file with one decimal mark."),
                          line_.text);
-        const auto& columns = layout_.columns;
-        const bool isHeader = std::any_of(columns.begin(), columns.end(), [&](const LayoutColumn& named) {
-            return named.header == cell.text && !named.header.empty();
-        });
-        Text hint = phrase("Only numbers can be read; leave the cell of an output empty where it was not measured.");
-        if (isHeader)
-            hint =
-                phrase("The header stands here again: split the file in front of this line, it holds two recordings.");
-        else if (isBehindGap_ && kindOf(cell.text) == CellKind::Words)
-            hint = phrase(
-                "Another table seems to begin here: keep one in the file, or export each recording to a file of its "
-                "own.");
-        else if (readQuantity(cell.text))
-            hint = phrase("A unit stands in the cell: write it in the header and numbers in the cells.");
-        else if (cell.text.find(',') != std::string::npos && cell.text.find('.') != std::string::npos)
-            hint = phrase("Marks between thousands cannot be read: write 1234.5.");
         return fault(phrase("'{}' in column '{}' is not a number", shortened(cell.text, 60), cited(column)),
-                     line_.number, cell.position, std::move(hint), line_.text);
+                     line_.number, cell.position, hintOfWord(cell.text, layout_, isBehindGap_), line_.text);
     }
 
     void finish() {

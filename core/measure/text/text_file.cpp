@@ -9,6 +9,7 @@
 #include "core/base/visible.hpp"
 #include "core/measure/encoding.hpp"
 #include "core/measure/text/column_meaning.hpp"
+#include "core/measure/text/labelled.hpp"
 #include "core/measure/text/layout.hpp"
 #include "core/measure/text/modelica_table.hpp"
 #include "core/measure/text/rasters.hpp"
@@ -78,8 +79,12 @@ Outcome<TextFile> readModelica(std::string_view text, const std::string& name) {
 
 Outcome<TextFile> readPlainTable(std::string_view text, const std::string& name, const ReadOptions& options,
                                  const Progress& progress, Questions& asked) {
+    const std::string_view original = text;
+    const std::optional<LabelledText> labelled = withoutLabels(text);
+    if (labelled) text = labelled->text;
     Outcome<Layout> layout = findLayout(text, name, options, asked);
     if (!layout) return layout.diagnostics();
+    if (labelled) nameByLabels(*layout, *labelled, original);
     Diagnostics told = layout->warnings;
     Outcome<RawTable> raw = readRows(text, name, *layout, options, progress, asked);
     if (!raw) return raw.diagnostics();
@@ -100,6 +105,7 @@ Outcome<TextFile> readPlainTable(std::string_view text, const std::string& name,
     file.format = "text";
     file.start = start->empty() ? startOf(layout->facts) : *start;
     file.found = described(*layout);
+    if (labelled && !labelled->names.empty()) file.found += phrase(", names in front of the numbers");
     if (!isUtf8(text.substr(0, layout->offset))) file.found += phrase(", letters of Windows-1252");
     file.groups = groupsOf(std::move(*raw), comments, options, told, asked);
     if (hasError(told)) return told;
@@ -117,6 +123,7 @@ Outcome<TextFile> readTextFile(std::string_view bytes, const std::string& name, 
         bytes = decoded;
     }
     if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+    bytes = bytes.substr(0, bytes.find_last_not_of('\0') + 1);  // of a file that was larger than what was written
     if (bytes.substr(0, 4096).find('\0') != std::string_view::npos)
         return fileError(phrase("this is not a text file"), name, 1, 0,
                          phrase("Export the measurement as comma-separated values."));

@@ -22,6 +22,43 @@ bool LineReader::next(TextLine& line) {
     return true;
 }
 
+namespace {
+
+/// Whether a quotation mark opens a cell that does not end on the line.
+bool isOpen(std::string_view text) {
+    constexpr std::string_view separators = ",;\t|";
+    bool isQuoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '"') continue;
+        if (isQuoted && i + 1 < text.size() && text[i + 1] == '"') {
+            ++i;
+        } else if (isQuoted) {
+            isQuoted = false;
+        } else {
+            const std::size_t before = text.substr(0, i).find_last_not_of(' ');
+            isQuoted = before == std::string_view::npos || separators.find(text[before]) != std::string_view::npos;
+        }
+    }
+    return isQuoted;
+}
+
+}  // namespace
+
+void joinQuoted(TextLine& line, LineReader& reader) {
+    constexpr int most = 5;
+    if (!isOpen(line.text)) return;
+    LineReader ahead = reader;
+    TextLine next;
+    for (int i = 0; i < most && ahead.next(next); ++i) {
+        const char* const end = next.text.data() + next.text.size();
+        const std::string_view whole(line.text.data(), static_cast<std::size_t>(end - line.text.data()));
+        if (isOpen(whole)) continue;
+        line.text = whole;
+        reader = ahead;
+        return;
+    }
+}
+
 bool isComment(std::string_view line, char separator) {
     const std::size_t first = line.find_first_not_of(" \t");
     if (first == std::string_view::npos) return false;

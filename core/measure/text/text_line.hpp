@@ -22,6 +22,10 @@ private:
     int number_{};
 };
 
+/// Takes the lines behind one in which a quoted cell goes on, as spreadsheets write names of several lines. The line is
+/// as it was where no mark closes the cell on one of the next lines.
+void joinQuoted(TextLine& line, LineReader& reader);
+
 /// A line that begins with #, % or //; with a semicolon, too, where that is no mark between columns.
 bool isComment(std::string_view line, char separator);
 

@@ -1,11 +1,13 @@
 #include "core/measure/text/time_column.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/file_fault.hpp"
 #include "core/base/median.hpp"
 #include "core/base/unit.hpp"
+#include "core/measure/column_header.hpp"
 #include "core/measure/text/remark.hpp"
 #include "core/measure/text/time_format.hpp"
 #include "core/measure/time_name.hpp"
@@ -20,11 +22,23 @@ bool repeats(const std::vector<double>& values) {
     return false;
 }
 
-/// "Total Time", "Rel. Zeit": the word stands within the name.
+/// The unit that a name counts ("millis"), with blanks around it; null: none.
+const char* countedIn(std::string_view key) {
+    constexpr std::array<std::string_view, 4> milli{" millis ", " milliseconds ", " millisekunden ", " msec "};
+    constexpr std::array<std::string_view, 3> micro{" micros ", " microseconds ", " mikrosekunden "};
+    if (std::find(milli.begin(), milli.end(), key) != milli.end()) return "ms";
+    return std::find(micro.begin(), micro.end(), key) != micro.end() ? "us" : nullptr;
+}
+
+/// "Total Time", "Rel. Zeit": the word stands within the name; or what a clock counts is all of it.
 bool holdsTime(const std::string& name) {
     const std::string key = ' ' + plainKey(name) + ' ';
-    return key.find(" time ") != std::string::npos || key.find(" zeit ") != std::string::npos ||
-           key.find(" x value ") != std::string::npos;
+    constexpr std::array<std::string_view, 3> within{" time ", " zeit ", " x value "};
+    constexpr std::array<std::string_view, 9> whole{" ts ",     " date ", " datum ",   " epoch ",   " unix ",
+                                                    " uptime ", " sec ",  " seconds ", " sekunden "};
+    return std::any_of(within.begin(), within.end(),
+                       [&](std::string_view word) { return key.find(word) != std::string::npos; }) ||
+           std::find(whole.begin(), whole.end(), key) != whole.end() || countedIn(key) != nullptr;
 }
 
 bool countsByOne(const Column& column) {
@@ -33,6 +47,14 @@ bool countsByOne(const Column& column) {
     for (std::size_t i = 1; i < values.size(); ++i)
         if (values[i] != values[i - 1] + 1) return false;
     return true;
+}
+
+/// The row in which a column that is a time by its unit and its name goes back; 0: none.
+std::size_t firstFall(const Column& column) {
+    if (!namesTime(column.name) || !areConvertible(column.unit, "s")) return 0;
+    for (std::size_t i = 1; i < column.values.size(); ++i)
+        if (column.values[i] < column.values[i - 1]) return i;
+    return 0;
 }
 
 /// In seconds: the unit beside it, that of the time axis, or seconds.
@@ -77,7 +99,8 @@ std::optional<std::size_t> timeColumn(const Table& table, const std::vector<Cell
         if (!kinds.empty() && kinds[i] == CellKind::Words) continue;
         const bool hasUnit = areConvertible(column.unit, "s");
         if (!hasUnit && !column.unit.empty()) continue;
-        const int name = namesTime(column.name) ? 4 : holdsTime(column.name) ? 3 : 0;
+        // a capital T is a temperature rather
+        const int name = column.name == "T" ? 1 : namesTime(column.name) ? 4 : holdsTime(column.name) ? 3 : 0;
         int rank = 2 * (name + (hasUnit ? 2 : 0));
         if (rank == 0 || !rises(column.values)) continue;
         if (repeats(column.values)) rank -= 3;
@@ -110,7 +133,11 @@ Diagnostics addCountedTime(RawTable& raw, const PreambleFacts& facts, const Read
     if (!interval) {
         Text what = phrase("no column is a time by its unit or its name");
         for (const Column& column : raw.table.columns)
-            if (countsByOne(column)) {
+            if (const std::size_t row = firstFall(column); row > 0) {
+                what = phrase("the time in column '{}' goes back in line {}: the rows are not in their order",
+                              cited(column.name), raw.table.lines[row]);
+                break;
+            } else if (countsByOne(column)) {
                 what = phrase("no column is a time; '{}' counts the rows", cited(column.name));
                 break;
             }
@@ -163,7 +190,15 @@ void askUnit(const Column& column, int line, std::vector<std::pair<Text, std::st
     asked.push_back(std::move(question));
 }
 
+/// "t_ms", "millis"; empty: the name tells no unit.
+std::string unitOfName(const std::string& name) {
+    if (const char* const counted = countedIn(' ' + plainKey(name) + ' ')) return counted;
+    const std::string end = unitAtEnd(name);
+    return areConvertible(end, "s") ? end : std::string();
+}
+
 Text nameOfUnit(std::string_view unit) {
+    if (unit == "min") return phrase("minutes");
     return unit == "ms" ? phrase("milliseconds") : unit == "us" ? phrase("microseconds") : phrase("nanoseconds");
 }
 
@@ -172,6 +207,13 @@ Text nameOfUnit(std::string_view unit) {
 Diagnostics nameCountedUnit(Table& table, std::size_t time, const ReadOptions& options, Questions& asked) {
     Column& column = table.columns[time];
     if (!column.unit.empty() || column.values.size() < 2) return {};
+    if (const std::string unit = unitOfName(column.name); !unit.empty()) {
+        column.unit = unit;
+        if (unit == "s") return {};
+        askUnit(column, table.lines.front(), {{nameOfUnit(unit), unit}, {phrase("seconds"), "s"}}, options, asked);
+        return {doubt(phrase("the time in column '{}' is taken in {}, as its name says", cited(column.name), unit),
+                      table.file, table.lines.front())};
+    }
     const double first = column.values.front(),
                  step = (column.values.back() - first) / static_cast<double>(column.values.size() - 1);
     constexpr double from = 9e8, to = 3e9;  // 1998 to 2065 [s since 1970]

@@ -31,8 +31,9 @@ Diagnostics mendRepeatedStamps(Table& table, std::size_t time);
 /// A time without a unit gets the one that "time_format" tells.
 void applyToldUnit(RawTable& raw, const ReadOptions& options);
 
-/// A time without a unit whose numbers are those of a known count of milliseconds, microseconds or nanoseconds since
-/// 1970 gets that unit; what may be seconds or days is a fault. Both are asked.
+/// A time without a unit gets the one that its name tells ("t_ms"); one whose numbers are those of a known count of
+/// milliseconds, microseconds or nanoseconds since 1970 gets that unit; what may be seconds or days is a fault. All are
+/// asked.
 Diagnostics nameCountedUnit(Table& table, std::size_t time, const ReadOptions& options, Questions& asked);
 
 /// What is odd about the course of the stamps: pauses.

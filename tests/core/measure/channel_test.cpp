@@ -208,3 +208,22 @@ TEST(Time, WarnsOfGapsOnce) {
     EXPECT_EQ(time.diagnostics()[0].place.line, 7);
     EXPECT_THAT(time.diagnostics()[0].message, HasSubstr("2 such gaps"));
 }
+
+TEST(Channel, TellsThatANameEndsInAnotherUnitThanTheModels) {
+    const Table file = table("t,i_mA,n_rpm,T_C,u_V,T_max\n0,1500,60,20,12,5\n1,1500,60,20,12,5\n");
+    for (const auto& [name, end, unit] :
+         {std::tuple{"i_mA", "mA", "A"}, {"n_rpm", "rpm", "rad/s"}, {"T_C", "degC", "K"}}) {
+        const auto read = readChannel(file, column(name), unit);
+        ASSERT_TRUE(read);
+        ASSERT_EQ(read.diagnostics().size(), 1u) << name;
+        EXPECT_THAT(read.diagnostics()[0].message.english(), HasSubstr("ends in '" + std::string(end) + "'"));
+        EXPECT_THAT(read.diagnostics()[0].hint.english(), HasSubstr("\"unit\": \"" + std::string(end) + "\""));
+        EXPECT_THAT(read.diagnostics()[0].hint.english(), HasSubstr("\"unit\": \"" + std::string(unit) + "\""));
+        EXPECT_TRUE(readChannel(file, column(name, end), unit).diagnostics().empty()) << "it is told";
+    }
+    EXPECT_TRUE(readChannel(file, column("u_V"), "V").diagnostics().empty());
+    EXPECT_TRUE(readChannel(file, column("T_max"), "K").diagnostics().empty());
+    ChannelMapping scaled = column("i_mA");
+    scaled.scale = 0.001;
+    EXPECT_TRUE(readChannel(file, scaled, "A").diagnostics().empty()) << "whoever scales knows the unit";
+}

@@ -155,5 +155,14 @@ TEST(OpenRecording, SaysWhichKindsOfFilesItReads) {
     EXPECT_THAT(format(opened.diagnostics()), testing::HasSubstr("no kind that can be read"));
 }
 
+TEST(OpenRecording, SaysThatAFileIsPacked) {
+    const fs::path file = fs::temp_directory_path() / ("analogon-open-" + std::to_string(getpid()) + ".csv.gz");
+    std::ofstream(file, std::ios::binary) << "\x1F\x8B\x08 and what is behind it";
+    const Outcome<MeasurementFile> opened = openRecording(file);
+    fs::remove(file);
+    ASSERT_FALSE(opened);
+    EXPECT_THAT(format(opened.diagnostics()), testing::HasSubstr("packed (gzip)"));
+}
+
 }  // namespace
 }  // namespace analogon

@@ -642,5 +642,56 @@ TEST(TextFile, RefusesProse) {
     EXPECT_THAT(faultOf("This is a letter.\nIt has no numbers, only words.\nYours\n"), HasSubstr("no rows of numbers"));
 }
 
+TEST(TextFile, ANameMayHaveSeveralLines) {
+    const TextFile file = read("\"Time\n[s]\",\"Motor\ncurrent [A]\"\n0,1\n1,2\n2,3\n");
+    EXPECT_THAT(names(file), ElementsAre("Time", "Motor current"));
+    EXPECT_EQ(column(file, "Motor current").unit, "A");
+    EXPECT_THAT(file.found.english(), HasSubstr("data from line 4"));
+    // a mark for inches opens nothing
+    EXPECT_THAT(names(read("t;1/4\" pipe;u\n0;1;2\n1;2;3\n")), ElementsAre("t", "1/4\" pipe", "u"));
+}
+
+TEST(TextFile, AUnitWithASignStandsBehindABlank) {
+    const TextFile file = read("Time\tTemp \u00B0C\tFlow l/min\tStage two\n0\t1\t2\t3\n1\t2\t3\t4\n");
+    EXPECT_THAT(names(file), ElementsAre("Time", "Temp", "Flow", "Stage two"));
+    EXPECT_EQ(column(file, "Temp").unit, "\u00B0C");
+    EXPECT_EQ(column(file, "Flow").unit, "l/min");
+}
+
+TEST(TextFile, ATimeIsInTheUnitThatItsNameTells) {
+    for (const auto& [name, unit] : {std::pair{"t_ms", "ms"}, {"time_us", "us"}, {"millis", "ms"}, {"t_s", "s"}}) {
+        const std::string text = std::string(name) + ",u\n0,1\n10,2\n20,4\n";
+        const TextFile file = read(text);
+        ASSERT_EQ(file.groups.at(0).time, 0u) << name;
+        EXPECT_EQ(column(file, name).unit, unit);
+        EXPECT_EQ(told(text).find("as its name says") == std::string::npos, std::string(unit) == "s") << name;
+    }
+    ReadOptions seconds;
+    seconds.timeFormat = "s";
+    EXPECT_EQ(column(read("t_ms,u\n0,1\n10,2\n20,4\n", seconds), "t_ms").unit, "s") << "what is told holds";
+}
+
+TEST(TextFile, StampsOfAComputerAreATime) {
+    const TextFile file = read("ts;u\n1709629200000;1\n1709629200100;2\n1709629200200;4\n");
+    ASSERT_EQ(file.groups.at(0).time, 0u);
+    EXPECT_EQ(column(file, "ts").unit, "ms");
+}
+
+TEST(TextFile, SaysThatTheTimeGoesBack) {
+    EXPECT_THAT(told("t [s],u [V]\n3,1\n2,2\n1,3\n"), HasSubstr("column 't' goes back in line 3"));
+}
+
+TEST(TextFile, RowsOfFiguresBelowTheTableAreLeftOut) {
+    const std::string text = "t [s],u [V]\n0,1\n1,2\n2,3\nMax,3\nMin,1,2\n";
+    EXPECT_THAT(column(read(text), "u").values, ElementsAre(1, 2, 3));
+    EXPECT_THAT(told(text), HasSubstr("'Max' stands in front"));
+    // one row may be one that is damaged
+    EXPECT_THAT(faultOf("t [s],u [V]\n0,1\n1,2\nx,3\n"), HasSubstr("'x' in column 't' is not a number"));
+}
+
+TEST(TextFile, ZerosBehindTheTextAreNotOfIt) {
+    EXPECT_THAT(column(read(std::string("t,u\n0,1\n1,2\n") + std::string(100, '\0')), "u").values, ElementsAre(1, 2));
+}
+
 }  // namespace
 }  // namespace analogon
