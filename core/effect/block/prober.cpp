@@ -39,7 +39,7 @@ bool Prober::take(const std::map<std::string, double>& shape, double secant, Pro
     if (!placed_.effect.phase.empty()) return takeWave(shape, probe);
     const std::optional<Eigen::MatrixXd> columns = traces(secant);
     if (!columns) return false;
-    probe.column = columns->col(0);
+    probe.column = Eigen::MatrixXd(columns->col(0));
     probe.plain = plainScore(*columns);
     probe.whitened = whitenedScore(*columns);
     return true;
@@ -131,9 +131,9 @@ bool Prober::takeWave(const std::map<std::string, double>& shape, Probe& probe) 
     probe.whitened = whitenedScore(both);
     const Eigen::Vector2d parts = probe.plain.strengths;
     const double strength = parts.norm();
-    probe.column = strength > 0 ? Eigen::VectorXd(both * parts / strength) : Eigen::VectorXd(both.col(0));
-    probe.plain.visible = plainScore(probe.column).visible;
-    probe.whitened.visible = whitenedScore(probe.column).visible;
+    probe.column = strength > 0 ? Eigen::MatrixXd(both * parts / strength) : Eigen::MatrixXd(both.col(0));
+    probe.plain.visible = plainScore(*probe.column).visible;
+    probe.whitened.visible = whitenedScore(*probe.column).visible;
     probe.plain.strengths = Eigen::VectorXd::Constant(1, strength);
     probe.values[effect.phase] = std::atan2(parts[1], parts[0]);
     probe.isAlongRecorded = wired_.task.imposed.has_value();

@@ -53,6 +53,17 @@ bool isAhead(const Observations& observations, const Screened& screened) {
 
 double scoreOf(const ColumnScore& s) { return s.wrongSign || s.visible < leastVisible ? 0 : s.explained; }
 
+/// The one direction of a score at no more rows than tell courses apart; empty: it has several.
+SharedColumns courseOf(const ColumnScore& score) {
+    constexpr Eigen::Index mostRows = 2000;
+    if (score.directions->cols() != 1) return {};
+    const Eigen::Index rows = score.directions->rows(), step = (rows + mostRows - 1) / mostRows;
+    if (step == 1) return score.directions;
+    Eigen::VectorXd some((rows + step - 1) / step);
+    for (Eigen::Index i = 0; i < some.size(); ++i) some[i] = (*score.directions)(i * step, 0);
+    return Eigen::MatrixXd(some.normalized());
+}
+
 /// Whether a place is the end of an elastic component that has no inertia there: another spring in series with it moves
 /// by itself, though but one state more comes of it.
 bool endsInASpring(const Variant& variant, const EffectPlace& place) {
@@ -128,10 +139,14 @@ public:
                          [](const Probe& a, const Probe& b) { return scoreOf(a.plain) > scoreOf(b.plain); });
         // a round keeps the probes of all candidates: what nobody asks for again takes more room than all else
         for (std::size_t i = 0; i < result_.probes.size(); ++i) {
-            result_.probes[i].whitened.directions.resize(0, 0);
-            if (i > 0) result_.probes[i].column.resize(0);
+            Probe& probe = result_.probes[i];
+            probe.course = courseOf(probe.plain);
+            probe.whitened.directions.reset();
+            if (i == 0) continue;
+            probe.column.reset();
+            probe.plain.directions.reset();
         }
-        if (result_.isAbsorbed()) result_.absorbedBy = prober.imitators(result_.probes.front().column);
+        if (result_.isAbsorbed()) result_.absorbedBy = prober.imitators(result_.probes.front().column->col(0));
         return Done{};
     }
     /// As far as it came.

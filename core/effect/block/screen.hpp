@@ -14,9 +14,10 @@ namespace analogon {
 struct Probe {
     std::map<std::string, double> values;  // shape parameters
     double secant{};                       // 0: slope at strength 0
-    ColumnScore plain;                     // against the residual as it is
+    ColumnScore plain;                     // against the residual as it is; its directions of the best probe alone
     ColumnScore whitened;                  // with the noise made white; without its directions
-    Eigen::VectorXd column;                // trace of the strength, in units of the noise; of the best probe alone
+    SharedColumns column;                  // trace of the strength, in units of the noise; of the best probe alone
+    SharedColumns course;                  // its one direction, at some of the rows; empty: it has several
     bool isAlongRecorded{};                // of a wave along the recorded course of its variable
     double strength() const;               // best estimate, 0 when the sign is wrong
     std::vector<double> linear() const;    // of the further linear parameters

@@ -18,6 +18,7 @@ struct TrialStart {
     double promised{};  // half the sum of squares once the linearised problem is solved from here
     bool isAlongRecorded{};
     std::vector<GridPlan> plans{};  // of the steps near here; empty: not known
+    bool isWaiting{};               // `prepared` holds its parameters alone: it is prepared anew when its turn comes
 };
 
 namespace {
@@ -312,6 +313,24 @@ TrialStarts::TrialStarts(const NullModel& null, const Screened& screened, const 
     const auto count = static_cast<std::size_t>(starts);
     bothCourses(ready_, count);
     if (ready_.size() > count) ready_.erase(ready_.begin() + static_cast<std::ptrdiff_t>(count), ready_.end());
+    // the measurements of a start that may never have its turn are not kept for it
+    for (std::size_t i = 1; i < ready_.size(); ++i) {
+        PreparedTask alone;
+        alone.problem.parameters = std::move(ready_[i].prepared.problem.parameters);
+        ready_[i].prepared = std::move(alone);
+        ready_[i].isWaiting = true;
+    }
+}
+
+bool TrialStarts::resume(TrialStart& start) {
+    Outcome<PreparedTask> prepared = prepareAt(start.variant, null_.noise);
+    if (!prepared) {
+        best_.failure = prepared.diagnostics().front().message;
+        return false;
+    }
+    prepared->problem.parameters = std::move(start.prepared.problem.parameters);
+    start.prepared = std::move(*prepared);
+    return true;
 }
 
 TrialStarts::~TrialStarts() = default;
@@ -320,8 +339,15 @@ bool TrialStarts::hasNext() const { return next_ < ready_.size() && !progress_.s
 
 double TrialStarts::promised() const { return 2 * ready_[next_].promised; }
 
+void TrialStarts::dropSlopes() {
+    best_.isLean = best_.ok;
+    best_.fit.optimum.jacobian.resize(0, 0);
+    best_.fit.optimum.trajectories.clear();
+}
+
 void TrialStarts::takeNext() {
     TrialStart start = std::move(ready_[next_++]);
+    if (start.isWaiting && !resume(start)) return;
     followRecorded(null_, screened_, start, options_, progress_);
     followWholeNumbers(start, options_, progress_);
     FitResult result = fit(start.prepared.problem, options_, progress_);
@@ -331,6 +357,7 @@ void TrialStarts::takeNext() {
     }
     holdWholeNumber(start, result);
     if (best_.ok && result.objective >= best_.fit.objective) return;
+    best_.isLean = false;
     best_.variant = std::move(start.variant);
     best_.variant.values = valuesOf(result);
     best_.variant.plans = stepsOf(result);
@@ -388,6 +415,7 @@ void proceed(const NullModel& null, Trial& trial, const FitOptions& options, con
     trial.variant.values = valuesOf(result);
     trial.variant.plans = stepsOf(result);
     trial.fit = std::move(result);
+    trial.isLean = false;
 }
 
 const Trial* leastLeft(const std::vector<Trial>& trials) {

@@ -17,6 +17,7 @@ struct Trial {
     Variant variant;  // with the effect's parameters freed, at the optimum
     FitResult fit;
     bool ok{};
+    bool isLean{};  // the fit has residuals, and neither slopes nor trajectories
     Text failure;
     double evidence{};  // decrease of chi-square over the residual variance, less k ln N_eff (set by `rank`)
 
@@ -42,11 +43,14 @@ public:
     /// Sum of squares that the linearised problem leaves from the next start.
     double promised() const;
     void takeNext();
+    /// What is known of the slopes at the best, and its trajectories, take most of its room.
+    void dropSlopes();
     /// The best that was reached so far.
     const Trial& best() const& { return best_; }
     Trial best() && { return std::move(best_); }
 
 private:
+    bool resume(TrialStart& start);
     void holdWholeNumber(TrialStart& start, FitResult& result) const;
 
     const NullModel& null_;

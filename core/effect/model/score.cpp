@@ -126,6 +126,11 @@ Eigen::VectorXd OrthogonalProjector::coefficients(const Eigen::VectorXd& column)
     return qr.solve(column).cwiseQuotient(norms);
 }
 
+const Eigen::MatrixXd& SharedColumns::operator*() const {
+    static const Eigen::MatrixXd none;
+    return columns_ ? *columns_ : none;
+}
+
 ColumnScore scoreColumns(const OrthogonalProjector& complement, const Eigen::VectorXd& residual,
                          const Eigen::MatrixXd& columns, bool oneSided) {
     ColumnScore score;
@@ -145,8 +150,9 @@ ColumnScore scoreColumns(const OrthogonalProjector& complement, const Eigen::Vec
     qr.setThreshold(1e-6);
     score.strengths = (-qr.solve(residual)).cwiseQuotient(norms);
     score.wrongSign = oneSided && score.strengths[0] < 0;
-    score.directions = orthonormalBasis(rest, 1e-6);
-    score.explained = (score.directions.transpose() * residual).squaredNorm();
+    Eigen::MatrixXd directions = orthonormalBasis(rest, 1e-6);
+    score.explained = (directions.transpose() * residual).squaredNorm();
+    score.directions = std::move(directions);
     return score;
 }
 
@@ -171,21 +177,42 @@ double explainedTogether(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, con
     return along.dot(gram.solve(along));
 }
 
-double noiseThreshold(const std::vector<Eigen::MatrixXd>& directions, double logRows, double quantile,
+namespace {
+
+/// X^T X of all columns side by side, a part of the rows at a time.
+Eigen::MatrixXd gramOf(const std::vector<SharedColumns>& columns, Eigen::Index total) {
+    constexpr Eigen::Index part = 1024;
+    const Eigen::Index rows = columns.front()->rows();
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(total, total);
+    for (Eigen::Index from = 0; from < rows; from += part) {
+        const Eigen::Index count = std::min(part, rows - from);
+        Eigen::MatrixXd some(count, total);
+        Eigen::Index at = 0;
+        for (const SharedColumns& each : columns) {
+            some.middleCols(at, each->cols()) = each->middleRows(from, count);
+            at += each->cols();
+        }
+        gram.noalias() += some.transpose() * some;
+    }
+    return gram;
+}
+
+}  // namespace
+
+double noiseThreshold(const std::vector<SharedColumns>& directions, double logRows, double quantile,
                       std::uint64_t seed) {
     Eigen::Index total = 0;
-    for (const Eigen::MatrixXd& d : directions) total += d.cols();
-    if (total == 0) return 0;
-    Eigen::MatrixXd all(directions.front().rows(), total);
     std::vector<Eigen::Index> starts;
-    Eigen::Index at = 0;
-    for (const Eigen::MatrixXd& d : directions) {
-        starts.push_back(at);
-        all.middleCols(at, d.cols()) = d;
-        at += d.cols();
+    for (const SharedColumns& d : directions) {
+        starts.push_back(total);
+        total += d->cols();
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(all.transpose() * all);
-    const Eigen::MatrixXd root = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+    if (total == 0) return 0;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gramOf(directions, total));
+    // alike candidates share few directions: the others have no part in what is drawn
+    const Eigen::VectorXd sizes = eigen.eigenvalues().cwiseMax(0).cwiseSqrt();
+    const Eigen::Index rank = (sizes.array() > rounding * sizes.maxCoeff()).count();
+    const Eigen::MatrixXd root = eigen.eigenvectors().rightCols(rank) * sizes.tail(rank).asDiagonal();
 
     constexpr int draws = 5000;
     std::mt19937_64 generator(seed);
@@ -194,10 +221,10 @@ double noiseThreshold(const std::vector<Eigen::MatrixXd>& directions, double log
     Eigen::VectorXd z(total);
     for (double& value : largest) {
         for (double& x : z) x = normal(generator);
-        const Eigen::VectorXd v = root * z;
+        const Eigen::VectorXd v = root * z.tail(rank);
         value = -1e300;
         for (std::size_t k = 0; k < directions.size(); ++k) {
-            const Eigen::Index columns = directions[k].cols();
+            const Eigen::Index columns = directions[k]->cols();
             if (columns == 0) continue;
             value =
                 std::max(value, v.segment(starts[k], columns).squaredNorm() - static_cast<double>(columns) * logRows);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "core/effect/thresholds.hpp"
@@ -60,13 +62,27 @@ private:
     Eigen::MatrixXd jacobian_;
 };
 
+/// Columns that copies share: those of all candidates of a round take more room than all else.
+class SharedColumns {
+public:
+    SharedColumns() = default;
+    SharedColumns(Eigen::MatrixXd columns) : columns_(std::make_shared<const Eigen::MatrixXd>(std::move(columns))) {}
+    /// Without rows and columns where there are none.
+    const Eigen::MatrixXd& operator*() const;
+    const Eigen::MatrixXd* operator->() const { return &**this; }
+    void reset() { columns_.reset(); }
+
+private:
+    std::shared_ptr<const Eigen::MatrixXd> columns_;
+};
+
 /// What one or more columns (the first: the strength) explain of a residual.
 struct ColumnScore {
-    double visible{};            // |g_perp| / |g| of the strength: under leastVisible the parameters imitate it
-    double explained{};          // decrease of chi-square when the columns are fitted
-    bool wrongSign{};            // the best strength is negative though the effect is one-sided
-    Eigen::VectorXd strengths;   // best coefficients
-    Eigen::MatrixXd directions;  // orthonormal basis of the projected columns (correlation with other candidates)
+    double visible{};           // |g_perp| / |g| of the strength: under leastVisible the parameters imitate it
+    double explained{};         // decrease of chi-square when the columns are fitted
+    bool wrongSign{};           // the best strength is negative though the effect is one-sided
+    Eigen::VectorXd strengths;  // best coefficients
+    SharedColumns directions;   // orthonormal basis of the projected columns (correlation with other candidates)
 };
 ColumnScore scoreColumns(const OrthogonalProjector& complement, const Eigen::VectorXd& residual,
                          const Eigen::MatrixXd& columns, bool oneSided);
@@ -84,7 +100,7 @@ double explainedTogether(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, con
 
 /// Quantile of the largest `explained - columns * ln(rows)` over all candidates when the residual is noise alone,
 /// from draws with the candidates' own correlation: accounts for how many were tried and how alike they are.
-double noiseThreshold(const std::vector<Eigen::MatrixXd>& directions, double logRows, double quantile,
+double noiseThreshold(const std::vector<SharedColumns>& directions, double logRows, double quantile,
                       std::uint64_t seed);
 
 /// N / (1 + 2 sum rho_k) over the channels of a residual.

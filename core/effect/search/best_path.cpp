@@ -36,7 +36,7 @@ Round firstRound(SearchContext& search, NullModel& base) {
 }
 
 /// The other effects with which the search may begin: they pass the same tests alone.
-std::vector<std::size_t> otherBeginnings(const NullModel& null, const Round& round) {
+std::vector<std::size_t> otherBeginnings(const SearchContext& search, const NullModel& null, const Round& round) {
     std::vector<std::size_t> others;
     for (std::size_t i = 0; i < round.trials.size() && others.size() < otherPaths; ++i) {
         const Trial& t = round.trials[i];
@@ -45,7 +45,7 @@ std::vector<std::size_t> otherBeginnings(const NullModel& null, const Round& rou
             continue;
         if (i == *round.chosen || std::find(round.members.begin(), round.members.end(), i) != round.members.end())
             continue;
-        if (examine(null, t.fit, t.freed(), round.threshold).accepted()) others.push_back(i);
+        if (examine(search, null, t, round.threshold).accepted()) others.push_back(i);
     }
     return others;
 }
@@ -155,7 +155,7 @@ Outcome<Node> bestPathFrom(SearchContext& search, NullModel& base) {
     if (isChangeAlone(search, base, first))
         return bareOf(search, base, first, phrase("a parameter that changes is the better account"));
     std::vector<std::size_t> others;
-    if (first.chosen) others = otherBeginnings(base, first);
+    if (first.chosen) others = otherBeginnings(search, base, first);
     goOn(search, best, first);
     if (search.frontier.beginsAnew || search.progress.stopRequested()) return best;
     const bool hasMore = best.steps.size() > 1 || hasProposal(best.null);

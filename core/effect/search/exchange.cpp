@@ -181,11 +181,11 @@ bool isBetterRival(const Contested& old, const Trial& best, double own, double w
 }
 
 /// The step by which the first of these trials takes the place of an effect.
-Step stepInstead(const Contested& old, std::vector<Trial>& trials, double weight) {
+Step stepInstead(const SearchContext& search, const Contested& old, std::vector<Trial>& trials, double weight) {
     Trial& best = trials.front();
     const double gain = old.gainOf(best);
     Step step;
-    step.acceptance = examine(old.rest, best.fit, best.freed(), 0);
+    step.acceptance = examine(search, old.rest, best, 0);
     step.alternatives.push_back(
         {old.placed().effect.kind, old.placed().place.at, gain, weight * gain < equivalenceMargin});
     for (std::size_t i = 1; i < trials.size(); ++i)
@@ -221,7 +221,7 @@ bool replace(SearchContext& search, Node& node, std::size_t effect, Rivals wante
     Outcome<NullModel> next = fitNull(best.variant, node.null.noise, NoiseLevel::Keep, search.fit, search.progress);
     if (!next) return false;
 
-    Step step = stepInstead(old, trials, weight);
+    Step step = stepInstead(search, old, trials, weight);
     step.order = ++search.journal.choices;
     step.tried = screened.size();
     const Candidate& winner = step.winner.screened.candidate;

@@ -151,7 +151,8 @@ std::vector<Contender> nearlyBest(std::vector<Contender> contenders) {
 }
 
 /// The simplest of those that predict nearly as well as the best stands for all of them.
-void chooseAmong(const NullModel& null, const std::vector<Contender>& contenders, Round& round) {
+void chooseAmong(const SearchContext& search, const NullModel& null, const std::vector<Contender>& contenders,
+                 Round& round) {
     const double interval = samplingInterval(null.variant.task);
     const std::vector<Contender> alike = nearlyBest(contenders);
     const auto order = [&](const Contender& c) {
@@ -165,7 +166,7 @@ void chooseAmong(const NullModel& null, const std::vector<Contender>& contenders
     round.members.clear();
     for (const Contender& c : alike) round.members.push_back(c.trial);
     const Trial& trial = round.trials[chosen.trial];
-    round.acceptance = examine(null, trial.fit, trial.freed(), round.threshold);
+    round.acceptance = examine(search, null, trial, round.threshold);
     round.behind = phrase("predicts less well what was left out than {}", nameOf(round.candidate(chosen.trial)));
 }
 
@@ -204,7 +205,7 @@ bool addOne(SearchContext& search, Node& node) {
     if (search.progress.stopRequested()) return false;
     std::vector<Contender> contenders = contendersOf(search, node.null, round.trials);
     for (int tries = 0; tries < mostContenders && !contenders.empty() && !search.progress.stopRequested(); ++tries) {
-        chooseAmong(node.null, contenders, round);
+        chooseAmong(search, node.null, contenders, round);
         if (std::optional<Node> next = withChoice(search, node, round)) {
             noteAll(search, *next, round);
             node = std::move(*next);

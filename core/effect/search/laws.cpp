@@ -60,8 +60,7 @@ bool addLaw(SearchContext& search, Node& node) {
     std::map<std::size_t, Acceptance> examined;
     const auto accepted = [&](std::size_t i) {
         if (!trials[i].ok) return false;
-        if (!examined.contains(i))
-            examined.emplace(i, examine(node.null, trials[i].fit, trials[i].freed(), 2 * equivalenceMargin));
+        if (!examined.contains(i)) examined.emplace(i, examine(search, node.null, trials[i], 2 * equivalenceMargin));
         return examined.at(i).accepted();
     };
     for (std::size_t best = 0; best < trials.size() && !search.progress.stopRequested(); ++best) {

@@ -14,6 +14,7 @@
 #include "core/effect/search/recordings.hpp"
 #include "core/effect/search/redraw.hpp"
 #include "core/effect/search/refine.hpp"
+#include "core/effect/search/trials.hpp"
 #include "core/effect/search/verdicts.hpp"
 
 namespace analogon {
@@ -128,7 +129,7 @@ Node pathFrom(SearchContext& search, const NullModel& base, Round round, std::si
     round.passOver(phrase("the search came to a better end from {}", nameOf(round.candidate(begin))));
     round.chosen = begin;
     round.members = equivalents(base, round.trials, begin);
-    round.acceptance = examine(base, round.trials[begin].fit, round.trials[begin].freed(), round.threshold);
+    round.acceptance = examine(search, base, round.trials[begin], round.threshold);
     Node path{base, {}};
     goOn(search, path, std::move(round));
     return path;

@@ -30,7 +30,7 @@ bool isBetweenSamples(const Trial& trial, double interval) {
 
 /// While much is left whatever is taken, one step explains with its flexible parameters what belongs to others: the
 /// simplest that explains nearly as much goes first.
-void preferSimple(const NullModel& null, Round& round) {
+void preferSimple(const SearchContext& search, const NullModel& null, Round& round) {
     const std::vector<Trial>& trials = round.trials;
     const Trial& best = trials[*round.chosen];
     const double chi2Decrease = null.sumOfSquares() - best.sumOfSquares();
@@ -52,7 +52,7 @@ void preferSimple(const NullModel& null, Round& round) {
     std::stable_sort(simpler.begin(), simpler.end(),
                      [&](std::size_t a, std::size_t b) { return trials[a].freed() < trials[b].freed(); });
     for (const std::size_t i : simpler) {
-        const Acceptance a = examine(null, trials[i].fit, trials[i].freed(), round.threshold);
+        const Acceptance a = examine(search, null, trials[i], round.threshold);
         if (!a.accepted()) {
             round.refused[i] = whyRefused(a, a.leastHeldOutAsked);
             continue;
@@ -95,7 +95,7 @@ std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Tr
     std::vector<std::size_t> members{best};
     const OrthogonalProjector& complement = null.scores().plain;
     const auto direction = [&](const Trial& t) {
-        const Eigen::MatrixXd rest = complement(Eigen::MatrixXd(t.screened.probes.front().column));
+        const Eigen::MatrixXd rest = complement(*t.screened.probes.front().column);
         return Eigen::VectorXd(rest.col(0).normalized());
     };
     const Eigen::VectorXd own = direction(trials[best]);
@@ -123,7 +123,7 @@ Round tryAll(SearchContext& search, const NullModel& null) {
     Round round;
     round.screened = screenAll(search, null);
     if (search.progress.stopRequested()) return round;
-    std::vector<Eigen::MatrixXd> directions;
+    std::vector<SharedColumns> directions;
     for (const Screened& s : round.screened)
         if (!s.probes.empty() && !s.isAbsorbed()) directions.push_back(s.probes.front().plain.directions);
     const double logRows = std::log(static_cast<double>(null.fit.optimum.residuals.size()));
@@ -152,10 +152,10 @@ struct JudgedEquations {
     std::optional<Judged> unconfirmed;  // the best that fails only those that every part of the record must pass
 };
 
-/// Puts the trials to their tests, best first, until a named effect passes them. `areAskedFor`: the study's user has
-/// chosen among the kinds.
-JudgedEquations judgeTrials(const NullModel& null, Round& round, bool areAskedFor) {
+/// Puts the trials to their tests, best first, until a named effect passes them.
+JudgedEquations judgeTrials(const SearchContext& search, const NullModel& null, Round& round) {
     const std::vector<Trial>& trials = round.trials;
+    const bool areAskedFor = !search.options.kinds.empty() || !search.options.choices.empty();
     JudgedEquations equations;
     for (std::size_t i = 0; i < trials.size() && !round.chosen; ++i) {
         if (!trials[i].ok || trials[i].evidence < equivalenceMargin) break;
@@ -168,7 +168,7 @@ JudgedEquations judgeTrials(const NullModel& null, Round& round, bool areAskedFo
         else if (!isProposal(trials[i]) && fightsAnother(null, trials[i].fit))
             round.refused[i] = fights();
         if (round.refused.contains(i)) continue;
-        const Judged judged{i, examine(null, trials[i].fit, trials[i].freed(), round.threshold)};
+        const Judged judged{i, examine(search, null, trials[i], round.threshold)};
         const Acceptance& acceptance = judged.acceptance;
         if (!acceptance.accepted()) round.refused[i] = whyRefused(acceptance, acceptance.leastHeldOutAsked);
         if (isProposal(trials[i])) {
@@ -206,7 +206,7 @@ void chooseEquation(const SearchContext& search, const NullModel& null, Round& r
             phrase("{}, an equation without a name, is the better account", nameOf(round.candidate(equation.trial)));
     const std::vector<std::size_t> places = equalPlaces(search, null, trials, equation.trial);
     if (const std::size_t first = places.front(); first != equation.trial) {
-        const Judged there{first, examine(null, trials[first].fit, trials[first].freed(), round.threshold)};
+        const Judged there{first, examine(search, null, trials[first], round.threshold)};
         if (there.acceptance.accepted() || !equation.acceptance.accepted()) equation = there;
     }
     round.chosen = equation.trial;
@@ -223,11 +223,10 @@ void chooseEquation(const SearchContext& search, const NullModel& null, Round& r
 }  // namespace
 
 void decide(const SearchContext& search, const NullModel& null, Round& round) {
-    const auto [accepted, unconfirmed] =
-        judgeTrials(null, round, !search.options.kinds.empty() || !search.options.choices.empty());
+    const auto [accepted, unconfirmed] = judgeTrials(search, null, round);
     if (round.chosen) {
         round.behind = phrase("explains less than {}", nameOf(round.candidate(*round.chosen)));
-        preferSimple(null, round);
+        preferSimple(search, null, round);
     }
     std::optional<Judged> equation = accepted;
     if (!equation && unconfirmed && standsUnconfirmed(null, round, round.trials[unconfirmed->trial]))

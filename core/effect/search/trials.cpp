@@ -171,7 +171,7 @@ std::vector<Screened> screenAll(const SearchContext& search, const NullModel& nu
 }
 
 std::vector<Trial> tryThese(SearchContext& search, const NullModel& null, const std::vector<const Screened*>& chosen,
-                            int iterations, int starts) {
+                            int iterations, int starts, TrialSize size) {
     FitOptions quick = trialOptions(search.fit, iterations);
     quick.simulation = limited(null, quick.simulation);
     std::vector<std::unique_ptr<TrialStarts>> begun(chosen.size());
@@ -186,6 +186,7 @@ std::vector<Trial> tryThese(SearchContext& search, const NullModel& null, const 
         auto& own = begun[i];
         own = std::make_unique<TrialStarts>(null, s, quick, starts, search.progress);
         if (own->hasNext()) own->takeNext();
+        if (size == TrialSize::Lean) own->dropSlopes();
     });
     const std::vector<TrialStarts*> again = contenders(null, begun, rivalShare);
     parallelFor(static_cast<int>(again.size()), search.options.threads, [&](int i) {
@@ -197,6 +198,18 @@ std::vector<Trial> tryThese(SearchContext& search, const NullModel& null, const 
     for (const Trial& t : trials) search.work.add(workOf(t.fit));
     search.checkWork();
     return trials;
+}
+
+Acceptance examine(const SearchContext& search, const NullModel& null, const Trial& trial, double threshold) {
+    if (!trial.isLean) return examine(null, trial.fit, trial.freed(), threshold);
+    FitResult whole = trial.fit;
+    const Outcome<PreparedTask> prepared = prepareAt(trial.variant, null.noise);
+    if (!prepared) return {};
+    Linearisation at = linearise(prepared->problem, whole.values, true, whole.plans,
+                                 limited(null, search.fit.simulation), search.progress);
+    if (!at.ok) return {};
+    whole.optimum = std::move(at);
+    return examine(null, whole, trial.freed(), threshold);
 }
 
 void continueBest(const SearchContext& search, const NullModel& null, std::vector<Trial>& trials) {
@@ -315,7 +328,7 @@ std::vector<Trial> tryBest(SearchContext& search, const NullModel& null, const s
         ScreenedList others = chosen;
         choose(promising.byScore, static_cast<int>(promising.byScore.size()), others);
         others.erase(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(chosen.size()));
-        append(trials, tryThese(search, null, others, coarseIterations, 1));
+        append(trials, tryThese(search, null, others, coarseIterations, 1, TrialSize::Lean));
     }
     continueBest(search, null, trials);
     retryNames(search, null, trials);

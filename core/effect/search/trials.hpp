@@ -21,8 +21,13 @@ std::vector<Screened> screenAll(const SearchContext& search, const NullModel& nu
 
 /// Refits candidates, each from its best start and, where that may change what is chosen, from further ones. Counts as
 /// work of the search; in the order of `chosen`.
+/// Lean: without the slopes of their fits, which are many and of which few are asked for.
+enum class TrialSize { Whole, Lean };
 std::vector<Trial> tryThese(SearchContext& search, const NullModel& null, const std::vector<const Screened*>& chosen,
-                            int iterations, int starts);
+                            int iterations, int starts, TrialSize size = TrialSize::Whole);
+
+/// The tests that a trial must pass; one that was kept lean is simulated once more.
+Acceptance examine(const SearchContext& search, const NullModel& null, const Trial& trial, double threshold);
 
 /// Takes the trials that a short fit brought to the front further.
 void continueBest(const SearchContext& search, const NullModel& null, std::vector<Trial>& trials);

@@ -159,7 +159,7 @@ TEST(ScoreColumns, TellsNoStrengthOfWhatTheParametersImitate) {
     EXPECT_NEAR(s.strengths[0], 0.5, 0.1);
     EXPECT_EQ(s.strengths[1], 0) << "what rounding leaves of it fits anything";
     EXPECT_NEAR(s.strengths[2], -0.7, 0.1);
-    EXPECT_EQ(s.directions.cols(), 2);
+    EXPECT_EQ(s.directions->cols(), 2);
 }
 
 TEST(ExplainedTogether, ShowsTwoEffectsThatHideEachOther) {
@@ -191,10 +191,10 @@ TEST(Whitener, MakesAnAutoregressiveResidualWhite) {
 
 TEST(NoiseThreshold, GrowsWithTheNumberOfUnlikeCandidates) {
     const int n = 400;
-    std::vector<Eigen::MatrixXd> alike, unlike;
+    std::vector<SharedColumns> alike, unlike;
     for (int k = 0; k < 50; ++k) {
-        alike.push_back(gaussian(n, 7).normalized());
-        unlike.push_back(gaussian(n, 100 + static_cast<std::uint64_t>(k)).normalized());
+        alike.push_back(Eigen::MatrixXd(gaussian(n, 7).normalized()));
+        unlike.push_back(Eigen::MatrixXd(gaussian(n, 100 + static_cast<std::uint64_t>(k)).normalized()));
     }
     const double one = noiseThreshold(alike, 0, 0.99, 1);
     EXPECT_NEAR(one, 6.63, 1.0);  // chi-square with one degree of freedom at 99 %
