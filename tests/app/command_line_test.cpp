@@ -537,6 +537,10 @@ TEST_F(CommandLine, WritesNothingThatATerminalObeys) {
         result = run(arguments);
         EXPECT_TRUE(isPlain(result.out + result.err)) << result.out << result.err;
     }
+    result = run({"channels", (scratch / "s" / "train.csv").string()});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(isPlain(result.out + result.err)) << result.out << result.err;
+    EXPECT_THAT(result.out, HasSubstr("u\\u{1b}]0;z\\u{7}"));
 }
 
 /// The names of a sound study come to the table of results, the report and the lines of progress.

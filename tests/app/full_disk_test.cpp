@@ -74,6 +74,19 @@ TEST_F(FullDisk, IsToldByEachCommandThatWrites) {
     }
 }
 
+/// Of a long fit nothing would be left.
+TEST_F(FullDisk, IsToldBeforeTheWork) {
+    const auto before = contents();
+    const Result result = withRoom(65536, [&] {
+        return run({"fit", lambda, "--out", (place / "out").string(), "--progress", "json"});
+    });
+    EXPECT_EQ(result.status, inputAtFault) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("the disk may be full"));
+    EXPECT_THAT(result.err, testing::Not(HasSubstr("\"stage\"")));
+    EXPECT_TRUE(result.out.empty()) << result.out;
+    EXPECT_EQ(contents(), before);
+}
+
 /// The search was long: its result is told and written where there is room.
 TEST_F(FullDisk, CostsATraceAndNoResult) {
     std::ofstream(place / "trace.jsonl") << "{\"number\":0,\"old\":1}\n";
