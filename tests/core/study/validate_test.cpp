@@ -80,6 +80,20 @@ TEST_F(Validate, AllCommandsSayTheSameFaultsOnceWithTheirPlace) {
     EXPECT_EQ(format(run.diagnostics()), format(said()));
 }
 
+/// One remark on a file, however many experiments read it, and beside a fault, too.
+TEST_F(Validate, WhatIsRemarkedOfAFileIsToldOnceForAllItsExperiments) {
+    putHeater();
+    put("train.csv", "t [ms],u_heater [mV],T_air [degC],current [mA]\n0,0,20,0\n500,1000,-300,333\n1000,1000,21,333\n");
+    change("\"experiments\": [",
+           "\"experiments\": [{\"name\": \"again\", \"role\": \"validate\", \"file\": \"train.csv\", "
+           "\"time\": \"t\", \"inputs\": {\"u\": \"u_heater\", \"T_amb\": \"T_air\"}, "
+           "\"outputs\": {\"i\": \"current\"}},");
+    const auto isOfTheFile = HasSubstr("below absolute zero");
+    EXPECT_THAT(messages(), ElementsAre(isOfTheFile));
+    change("\"C\": {", "\"T_stat\": {");
+    EXPECT_THAT(messages(), ElementsAre(HasSubstr("no parameter 'T_stat'"), isOfTheFile));
+}
+
 TEST_F(Validate, AFitOfNothingIsToldAndASimulationOfItIsNone) {
     putHeater();
     change(fitted, "\"parameters\": {}");
