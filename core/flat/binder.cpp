@@ -250,11 +250,8 @@ bool Binder::bindValue(Instance& instance, Element& element) {
         }
         variable.value = place->span;
         if (value->type == FlatType::String) {
-            if (!isParameter) {
-                work_.messages.error(phrase("the String '{}' must be a parameter or a constant", name), span);
-                return false;
-            }
             variable.text = value->texts[k];
+            work_.records[id.value].isBound = true;
         } else if (isParameter) {
             variable.binding = value->elements[k];
         } else {
@@ -286,14 +283,20 @@ void Binder::checkParameter(VariableId id) {
         return;
     }
     bool usesTime = false;
-    VariableId used;
+    VariableId used, parameter;
     work_.pool.evaluate(variable.binding, [&](const ExpressionNode& leaf) {
+        if (leaf.variable.valid() && work_.variable(leaf.variable).variability == FlatVariability::Parameter)
+            parameter = leaf.variable;
         if (leaf.operation != Operation::Variable && leaf.operation != Operation::Derivative)
             usesTime = true;
         else if (work_.isContinuous(leaf.variable))
             used = leaf.variable;
         return 0.0;
     });
+    if (variable.variability == FlatVariability::Constant && parameter.valid())
+        work_.messages.error(
+            phrase("the constant '{}' depends on the parameter '{}'", variable.name, work_.variable(parameter).name),
+            variable.value, phrase("declare it as parameter"));
     if (!used.valid() && !usesTime) return;
     work_.messages.error(phrase("the parameter '{}' depends on {}, which changes while the model runs", variable.name,
                                 used.valid() ? fmt::format("'{}'", work_.variable(used).name) : "time"),

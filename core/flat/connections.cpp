@@ -265,9 +265,10 @@ void Connections::unconnectedFlows() {
     for (std::uint32_t i = 0; i < work_.records.size(); ++i) {
         const VariableId id{i};
         const FlatVariable& variable = work_.variable(id);
+        if (!variable.isFlow) continue;
         Instance& owner = *work_.records[i].owner;
         const bool inConnector = owner.isConnector() || work_.elementOf(id).type.isConnector || owner.isRecord();
-        if (!variable.isFlow || !inConnector || !work_.isContinuous(id) || isConnectedInside(id)) continue;
+        if (!inConnector || !work_.isContinuous(id) || isConnectedInside(id)) continue;
         work_.model.equations.push_back(
             {work_.pool.variable(id), work_.pool.constant(0), variable.declared, connectorName(id), true});
         if (Instance* outer = owner.component().parent) ++outer->component().equations;

@@ -78,10 +78,33 @@ void Equations::translate(const syntax::Equation& equation, const Scope& scope) 
 
 void Equations::equality(const syntax::Equation& equation, const Scope& scope) {
     if (equation.left.kind == syntax::Expression::Kind::Tuple) return several(equation, scope);
+    work_.translator->setTarget(true);
     const auto left = work_.translator->translate(equation.left, scope);
+    work_.translator->setTarget(false);
     const auto right = work_.translator->translate(equation.right, scope);
     if (!left || !right) return;
+    if (left->type == FlatType::String) return text(equation, *right, scope);
     equal(*left, *right, equation, scope);
+}
+
+/// A text that a variable has all the time: what is known of it now.
+void Equations::text(const syntax::Equation& equation, const Value& value, const Scope& scope) {
+    const bool isName = equation.left.kind == syntax::Expression::Kind::Reference && guards_.empty() && !isInitial_;
+    const auto slice = isName ? work_.translator->resolve(equation.left.name, scope) : std::nullopt;
+    if (!slice || value.type != FlatType::String || slice->dimensions != value.dimensions) {
+        work_.messages.error(phrase("an equation of texts is: variable = text"), equation.span);
+        return;
+    }
+    for (std::size_t k = 0; k < slice->variables.size(); ++k) {
+        VariableRecord& record = work_.records[slice->variables[k].value];
+        FlatVariable& variable = work_.model.variables[slice->variables[k].value];
+        if (record.isBound) {
+            work_.messages.error(phrase("the text '{}' is set twice", variable.name), equation.span);
+            return;
+        }
+        record.isBound = true;
+        variable.text = value.texts[k];
+    }
 }
 
 /// `(x, , y) = f(u)`
@@ -173,12 +196,20 @@ void Equations::switched(const syntax::Equation& equation, std::size_t firstOpen
             conditions.push_back(condition && !condition->elements.empty() ? condition->elements[0]
                                                                            : work_.pool.constant(0));
         }
+        ExpressionId here = work_.pool.constant(1);
+        for (std::size_t c = 0; c < conditions.size(); ++c) {
+            const bool isOwn = branch.condition && c + 1 == conditions.size();
+            here = work_.pool.binary(Operation::And, here,
+                                     isOwn ? conditions[c] : work_.pool.unary(Operation::Not, conditions[c]));
+        }
+        guards_.push_back(here);
         translate(branch.body, scope);
+        guards_.pop_back();
         bodies.push_back(std::exchange(found_, {}));
     }
     isSwitched_ = wasSwitched;
     found_ = std::move(outside);
-    bool sameCount = hasElse;
+    bool sameCount = hasElse || bodies[0].empty();  // checks alone need no other branch
     for (const auto& body : bodies) sameCount = sameCount && body.size() == bodies[0].size();
     if (!sameCount) {
         work_.messages.error(phrase("an 'if' on a condition that changes needs as many equations in each branch"),
@@ -203,7 +234,7 @@ void Equations::switched(const syntax::Equation& equation, std::size_t firstOpen
 void Equations::loop(const syntax::Equation& equation, std::size_t iterator, const Scope& scope) {
     if (iterator == equation.iterators.size()) return translate(equation.body, scope);
     const auto& [name, range, span] = equation.iterators[iterator];
-    const auto values = work_.translator->range(range, scope);
+    const auto values = work_.translator->rangeOf(equation, iterator, scope);
     if (!values) return;
     for (int k = 1; k <= values->dimensions[0] && !work_.messages.full(); ++k) {
         if (++turns_ > 4 * Instantiator::mostScalars) {
@@ -248,9 +279,11 @@ void Equations::assertion(const syntax::Equation& equation, const Scope& scope) 
         work_.messages.error(phrase("'assert' needs a Boolean condition and a text"), equation.span);
         return;
     }
-    const auto holds = work_.translator->constantNumber(condition->elements[0], false);
+    ExpressionId guard = work_.pool.constant(1);
+    for (const ExpressionId each : guards_) guard = work_.pool.binary(Operation::And, guard, each);
+    const auto holds = guards_.empty() ? work_.translator->constantNumber(condition->elements[0], false) : std::nullopt;
     if (!holds)
-        work_.events->action(equation, work_.pool.constant(1), scope);
+        work_.events->action(equation, guard, scope);
     else if (holds && *holds == 0 && !isWarning(call, scope))
         work_.messages.error(phrase("{}: {}", scope.instance->label(), text->texts[0]), equation.span,
                              phrase("the condition of 'assert' does not hold"));

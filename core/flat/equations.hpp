@@ -19,6 +19,7 @@ private:
     void translate(const syntax::Equation& equation, const Scope& scope);
     void translate(const List& equations, const Scope& scope);
     void equality(const syntax::Equation& equation, const Scope& scope);
+    void text(const syntax::Equation& equation, const Value& value, const Scope& scope);
     void several(const syntax::Equation& equation, const Scope& scope);
     void equal(const Value& left, const Value& right, const syntax::Equation& equation, const Scope& scope);
     bool isWarning(const syntax::Expression& call, const Scope& scope);
@@ -30,7 +31,8 @@ private:
     Flattening& work_;
     std::vector<FlatEquation> found_;
     bool isInitial_{};
-    bool isSwitched_{};  // below an `if` whose condition changes while the model runs
+    std::vector<ExpressionId> guards_;  // of the branches under way
+    bool isSwitched_{};                 // below an `if` whose condition changes while the model runs
     std::size_t turns_{};
 };
 

@@ -349,7 +349,7 @@ bool Events::bodyConditional(const syntax::Equation& equation, std::size_t branc
 bool Events::bodyLoop(const syntax::Equation& equation, std::size_t iterator, ExpressionId guard, const Scope& scope,
                       std::vector<ScalarValue>& set) {
     if (iterator == equation.iterators.size()) return body(equation.body, guard, scope, set);
-    const auto values = work_.translator->range(equation.iterators[iterator].range, scope);
+    const auto values = work_.translator->rangeOf(equation, iterator, scope);
     if (!values) return false;
     for (int k = 1; k <= values->dimensions[0]; ++k) {
         work_.translator->pushIterator(equation.iterators[iterator].name, values->part(k));

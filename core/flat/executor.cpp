@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/flat/class_rules.hpp"
 #include "core/flat/events.hpp"
 #include "core/flat/external_functions.hpp"
 #include "core/flat/instantiator.hpp"
@@ -28,6 +29,7 @@ bool Executor::signatureOf(const LibraryClass& function, Signature& signature, s
                            int depth) {
     const syntax::ClassDefinition& tree = *function.definition;
     if (depth > deepestType) return false;
+    work_.rules->check(function);
     work_.keepSource(tree);
     for (const LibraryClass* base : work_.library.bases(function))
         if (!signatureOf(*base, signature, preset, depth + 1)) return false;
@@ -59,7 +61,7 @@ bool Executor::signatureOf(const LibraryClass& function, Signature& signature, s
 }
 
 std::optional<std::vector<Value>> Executor::call(const LibraryClass& function, const syntax::Expression& call,
-                                                 const Scope& caller) {
+                                                 const Scope& caller, const Value* partly) {
     Signature signature;
     std::map<std::string, Input> preset;
     const Span& span = call.name.span.valid() ? call.name.span : call.span;
@@ -68,16 +70,24 @@ std::optional<std::vector<Value>> Executor::call(const LibraryClass& function, c
                              span);
         return std::nullopt;
     }
+    if (function.definition->isPartial) {
+        work_.messages.error(phrase("the function '{}' is partial and cannot be called", function.qualifiedName), span,
+                             phrase("call a function that extends it"));
+        return std::nullopt;
+    }
     std::vector<std::pair<std::string, Value>> given;
+    if (partly) given = partly->members;
     std::size_t position = 0;
     const auto take = [&](const std::string& name, const syntax::Expression& expression) {
-        auto value = work_.translator->translate(expression, caller);
+        auto value = functionValue(expression, caller);
+        if (!value) value = work_.translator->translate(expression, caller);
         if (!value) return false;
         given.emplace_back(name, std::move(*value));
         return true;
     };
     for (const Input& element : signature.elements) {
         if (element.declaration->causality != syntax::Causality::Input || position >= call.operands.size()) continue;
+        if (partly && partly->member(element.declaration->name)) continue;
         if (!take(element.declaration->name, call.operands[position++])) return std::nullopt;
     }
     if (position < call.operands.size() || !call.iterators.empty()) {
@@ -99,7 +109,7 @@ std::optional<std::vector<Value>> Executor::call(const LibraryClass& function, c
         }
         if (!take(argument.name, argument.value)) return std::nullopt;
     }
-    return run(signature, std::move(given), preset, call);
+    return each(signature, std::move(given), preset, call);
 }
 
 std::optional<std::vector<Value>> Executor::run(const Signature& signature,
@@ -482,12 +492,8 @@ Executor::Flow Executor::conditional(const Statement& statement, std::size_t bra
 
 Executor::Flow Executor::loop(const Statement& statement, std::size_t iterator, const Scope& scope) {
     if (iterator == statement.iterators.size()) return execute(statement.body, scope);
-    const auto& [name, range, span] = statement.iterators[iterator];
-    if (range.kind == ExpressionKind::Empty) {
-        work_.messages.error(phrase("the iterator '{}' needs a range", name), span, phrase("write: for i in 1:n"));
-        return Flow::Failed;
-    }
-    const auto values = work_.translator->range(range, scope);
+    const std::string& name = statement.iterators[iterator].name;
+    const auto values = work_.translator->rangeOf(statement, iterator, scope);
     if (!values) return Flow::Failed;
     const ExpressionId outside = std::exchange(broken_, ExpressionId{});
     for (int k = 1; k <= values->dimensions[0]; ++k) {
@@ -507,7 +513,12 @@ Executor::Flow Executor::repeat(const Statement& statement, const Scope& scope) 
     const ExpressionId outside = std::exchange(broken_, ExpressionId{});
     for (std::size_t turn = 0; turn < mostTurns; ++turn) {
         const auto condition = work_.translator->translate(*branch.condition, scope);
-        if (!condition || condition->elements.size() != 1) return Flow::Failed;
+        if (!condition) return Flow::Failed;
+        if (condition->type != FlatType::Boolean || !condition->isScalar()) {
+            work_.messages.error(phrase("the condition after 'while' must be Boolean, not {}", typeText(*condition)),
+                                 branch.condition->span);
+            return Flow::Failed;
+        }
         const auto known = work_.translator->knownNow(condition->elements[0]);
         if (!known) {
             work_.messages.error(phrase("a 'while' whose condition changes while the model runs is not supported"),
@@ -614,7 +625,7 @@ void Executor::collectTargets(const std::vector<Statement>& statements, const Sc
         syntax::Name whole = target.name;
         for (syntax::NamePart& part : whole.parts) part.subscripts.clear();  // subscripts may need a loop
         const auto slice = work_.translator->resolve(whole, scope);
-        if (!slice) return;
+        if (!slice || !work_.translator->mayBeUsed(*slice, target.span)) return;
         for (const VariableId id : variablesOf(*slice)) targets.emplace_back(id, isInWhen);
     };
     for (const Statement& statement : statements) {

@@ -21,7 +21,9 @@ public:
 
     /// The outputs of a function of the library for these arguments; nothing when it cannot be run (reported).
     std::optional<std::vector<Value>> call(const LibraryClass& function, const syntax::Expression& call,
-                                           const Scope& caller);
+                                           const Scope& caller, const Value* partly = nullptr);
+    /// A function as a value: its name, or `function f(x = …)` with some of its arguments; nothing: it is none.
+    std::optional<Value> functionValue(const syntax::Expression& expression, const Scope& scope);
     /// A record of its class, made by its constructor.
     std::optional<Value> construct(const LibraryClass& record, const syntax::Expression& call, const Scope& caller);
     /// The algorithm sections of an instance as equations.
@@ -44,6 +46,10 @@ private:
                      int depth);
     std::optional<std::vector<Value>> run(const Signature& signature, std::vector<std::pair<std::string, Value>> given,
                                           const std::map<std::string, Input>& preset, const syntax::Expression& call);
+    std::optional<std::vector<Value>> each(const Signature& signature, std::vector<std::pair<std::string, Value>> given,
+                                           const std::map<std::string, Input>& preset, const syntax::Expression& call);
+    std::size_t rankOf(const Input& element);
+    bool takesFunction(const Input& element);
     std::optional<Value> initialValue(const Input& element, const Scope& scope);
     std::optional<Value> emptyValue(const syntax::Name& type, const LibraryClass* lexical, std::vector<int> dimensions,
                                     int depth);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/flat/binder.hpp"
+#include "core/flat/class_rules.hpp"
 #include "core/flat/connections.hpp"
 #include "core/flat/events.hpp"
 #include "core/flat/instantiator.hpp"
@@ -25,6 +26,7 @@ Flattening::Flattening(const Library& lib)
     : library(lib),
       model(emptyModel()),
       pool(*model.pool),
+      rules(std::make_unique<ClassRules>(*this)),
       instantiator(std::make_unique<Instantiator>(*this)),
       translator(std::make_unique<Translator>(*this)),
       binder(std::make_unique<Binder>(*this)),

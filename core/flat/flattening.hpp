@@ -12,6 +12,7 @@
 
 /// The work on one class, shared by the steps of flatten():
 ///
+///   ClassRules    what a class must not hold
 ///   Instantiator  class -> instances and scalar variables
 ///   Translator    expression of the text -> expression of the flat model
 ///   Binder        modifications -> attributes and values of variables
@@ -20,6 +21,7 @@
 ///   Balance       equations against unknowns
 namespace analogon {
 
+class ClassRules;
 class Instantiator;
 class Translator;
 class Binder;
@@ -40,6 +42,7 @@ struct Flattening {
     std::vector<Instance*> components;    // instances of models and blocks, the model itself first
     std::vector<VariableRecord> records;  // parallel to model.variables
 
+    std::unique_ptr<ClassRules> rules;
     std::unique_ptr<Instantiator> instantiator;
     std::unique_ptr<Translator> translator;
     std::unique_ptr<Binder> binder;

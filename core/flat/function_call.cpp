@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "core/flat/class_rules.hpp"
 #include "core/flat/events.hpp"
 #include "core/flat/executor.hpp"
 #include "core/flat/instantiator.hpp"
@@ -424,6 +425,56 @@ private:
         return x;
     }
 
+    const syntax::Expression* named(std::string_view name) const {
+        for (const syntax::NamedArgument& argument : call_.named)
+            if (argument.name == name) return &argument.value;
+        return nullptr;
+    }
+
+    /// At least as long as asked for, blanks behind it unless the argument leftJustified is false.
+    std::string padded(std::string text) {
+        const syntax::Expression* const length = named("minimumLength");
+        const auto least =
+            length ? work_.translator->constantInteger(*length, scope_, phrase("an argument of '{}'", name_))
+                   : std::optional(0);
+        const syntax::Expression* const side = named("leftJustified");
+        const auto left = side ? work_.translator->constantBoolean(*side, scope_, phrase("an argument of '{}'", name_))
+                               : std::optional(true);
+        const auto missing = static_cast<std::size_t>(std::max(0, least.value_or(0) - static_cast<int>(text.size())));
+        return left.value_or(true) ? text + std::string(missing, ' ') : std::string(missing, ' ') + text;
+    }
+
+    /// With as many significant digits, or in the format that is asked for (section 3.7.1).
+    std::optional<Value> numberText(double number) {
+        if (const syntax::Expression* const format = named("format")) {
+            const auto text = work_.translator->translate(*format, scope_);
+            if (!text || text->type != FlatType::String || !text->isScalar()) return std::nullopt;
+            std::string pattern = text->texts[0];
+            const std::string_view allowed = "0123456789.+-# fFeEgGdi";
+            const bool isSound = !pattern.empty() && pattern.find_first_not_of(allowed) == std::string::npos &&
+                                 std::string_view("fFeEgGdi").find(pattern.back()) != std::string_view::npos;
+            if (!isSound)
+                return fail(phrase("'{}' is no format of a number", pattern), format->span,
+                            phrase("write for example \"8.3f\""));
+            if (pattern.front() == '-') pattern.front() = '<';
+            const bool isWhole = pattern.back() == 'd' || pattern.back() == 'i';
+            if (isWhole) pattern.pop_back();
+            try {
+                return Value::text(isWhole ? fmt::format(fmt::runtime("{:" + pattern + "d}"), std::lround(number))
+                                           : fmt::format(fmt::runtime("{:" + pattern + "}"), number));
+            } catch (const fmt::format_error&) {
+                return fail(phrase("'{}' is no format of a number", text->texts[0]), format->span,
+                            phrase("write for example \"8.3f\""));
+            }
+        }
+        const syntax::Expression* const digits = named("significantDigits");
+        const auto most = digits
+                              ? work_.translator->constantInteger(*digits, scope_, phrase("an argument of '{}'", name_))
+                              : std::optional(6);
+        if (!most || *most < 1 || *most > 17) return std::nullopt;
+        return Value::text(padded(fmt::format("{:.{}g}", number, *most)));
+    }
+
     /// A number, a truth value or a text as text; of what changes, its name.
     std::optional<Value> textOf() {
         if (call_.operands.empty()) return fail(phrase("'{}' takes 1 argument, not {}", name_, 0));
@@ -434,8 +485,15 @@ private:
                                 ? work_.translator->constantNumber(value->elements[0], false)
                                 : std::nullopt;
         if (!number) return Value::text(fmt::format("{{{}}}", call_.operands[0].span.text()));
-        if (value->type == FlatType::Boolean) return Value::text(*number != 0 ? "true" : "false");
-        return Value::text(fmt::format("{:.6g}", *number));
+        std::string text;
+        if (value->type == FlatType::Boolean)
+            text = *number != 0 ? "true" : "false";
+        else if (const LibraryClass* type = work_.library.find(value->enumeration);
+                 type && type->definition->isEnumeration)
+            text = type->definition->enumeration.at(static_cast<std::size_t>(*number) - 1);
+        else
+            return numberText(*number);
+        return Value::text(padded(std::move(text)));
     }
 
     /// array(a, b, …)
@@ -581,8 +639,23 @@ private:
         return std::nullopt;
     }
 
+    /// A function that was given to the function under way.
+    const Value* givenFunction() const {
+        const auto& frame = work_.translator->iterators_;
+        if (call_.name.absolute || call_.name.parts.size() != 1) return nullptr;
+        for (auto own = frame.rbegin(); own != frame.rend(); ++own)
+            if (own->first == name_) return own->second.isFunction() ? &own->second : nullptr;
+        return nullptr;
+    }
+
     /// Functions known by the name they have in the library.
     std::optional<Value> libraryFunction() {
+        if (const Value* given = givenFunction()) {
+            const Value function = *given;  // the frame changes while it runs
+            auto outputs = Executor(work_).call(*function.function, call_, scope_, &function);
+            if (!outputs || outputs->empty()) return std::nullopt;
+            return std::move(outputs->front());
+        }
         const LibraryClass* definition = work_.lookup(call_.name, scope_.lexical);
         const std::string qualified = definition ? definition->qualifiedName : name_;
         if (qualified == "Modelica.Math.Vectors.interpolate") return interpolation();
@@ -592,6 +665,7 @@ private:
         if (contains(refusedFunctions, name_)) return fail(phrase("the function '{}' is not supported", name_), span);
         if (qualified == "Modelica.Utilities.Files.loadResource") return resource();
         if (definition) {
+            if (!work_.rules->mayReach(call_.name, scope_.lexical)) return std::nullopt;
             auto outputs = run(*definition);
             if (!outputs) return std::nullopt;
             if (outputs->empty()) return fail(phrase("'{}' gives no value", qualified), span);

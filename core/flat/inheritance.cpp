@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/flat/class_rules.hpp"
 #include "core/flat/instantiator.hpp"
 
 /// Collecting the elements of a class and its bases (Modelica 3.6, chapter 7).
@@ -29,6 +30,17 @@ Text whatThereIs(const std::string& name, const Instance& instance) {
         names += (names.empty() ? "" : ", ") + declared.name;
     }
     return names.empty() ? Text() : phrase("its parameters are {}", names);
+}
+
+/// Alike but for white space.
+bool sameText(std::string_view a, std::string_view b) {
+    const auto bare = [](std::string_view text) {
+        std::string kept;
+        for (const char c : text)
+            if (c != ' ' && c != '\t' && c != '\n' && c != '\r') kept += c;
+        return kept;
+    };
+    return a == b || bare(a) == bare(b);
 }
 
 std::string qualifiedOrEmpty(const LibraryClass* definition) { return definition ? definition->qualifiedName : ""; }
@@ -65,16 +77,6 @@ void Instantiator::collectBase(Instance& instance, const LibraryClass& derived, 
                              baseName.span, didYouMean(baseName.text(), work_.library.names()));
         return;
     }
-    using Restriction = syntax::ClassDefinition::Restriction;
-    const Restriction restriction = base->definition->restriction;
-    if ((restriction == Restriction::Function || restriction == Restriction::Package) &&
-        derived.definition->restriction != restriction) {
-        work_.messages.error(
-            phrase("'{}' is a {} and cannot extend {}, which is a {}", derived.qualifiedName,
-                   keyword(derived.definition->restriction), base->qualifiedName, keyword(restriction)),
-            baseName.span);
-        return;
-    }
     collect(instance, *base, merge(outer, modifications, work_.messages), isProtected, path);
     checkModifiedNames(instance, modifications, false);
 }
@@ -98,12 +100,10 @@ void Instantiator::collect(Instance& instance, const LibraryClass& definition, c
     }
     if (instance.parts.size() > mostBases)
         return work_.messages.fatal(phrase("'{}' inherits too many classes", instance.className), tree.nameSpan);
-    if (tree.extendsItself)
-        return work_.messages.error(phrase("\"{} extends\" not supported", keyword(tree.restriction)), tree.nameSpan,
-                                    phrase("give the class a name of its own and inherit with \"extends Base(…);\""));
     if (tree.external)
         return work_.messages.error(phrase("external functions are not supported"), tree.external->span,
                                     phrase("write the relation as equations"));
+    work_.rules->check(definition);
     path.push_back(&definition);
     work_.keepSource(tree);
     for (const syntax::Import& import : tree.imports) work_.tellNewName(import.name);
@@ -114,6 +114,7 @@ void Instantiator::collect(Instance& instance, const LibraryClass& definition, c
         collectBase(instance, definition, tree.shortBase, modifierOf(tree.shortModifications, outside, work_.messages),
                     outer, isProtected, path);
     }
+    if (tree.extendsItself) collectExtended(instance, definition, outer, isProtected, path);
     for (const auto& base : tree.bases) {
         if (work_.messages.full()) break;
         collectBase(instance, definition, base.base, modifierOf(base.modifications, scope, work_.messages), outer,
@@ -123,6 +124,28 @@ void Instantiator::collect(Instance& instance, const LibraryClass& definition, c
     for (const auto& component : tree.components) addElement(instance, definition, component, outer, isProtected);
     instance.parts.push_back({&tree, &definition});
     path.pop_back();
+}
+
+/// `model extends M(…)`: what the class M that is inherited around it holds, and more (section 7.3.1).
+void Instantiator::collectExtended(Instance& instance, const LibraryClass& definition, const Modifier& outer,
+                                   bool isProtected, std::vector<const LibraryClass*>& path) {
+    const syntax::ClassDefinition& tree = *definition.definition;
+    const std::vector<const LibraryClass*> found = work_.library.bases(definition);
+    const auto original = std::find_if(found.begin(), found.end(), [&](const LibraryClass* base) {
+        return base->definition->name == tree.name && base->scope != definition.scope;
+    });
+    if (original == found.end()) {
+        work_.messages.error(
+            phrase("'{}' continues a class of its name, but none is inherited", definition.qualifiedName),
+            tree.nameSpan, phrase("give the class a name of its own"));
+        return;
+    }
+    if (!(*original)->definition->isReplaceable)
+        work_.messages.error(phrase("the class '{}' of '{}' is not replaceable", tree.name, (*original)->scope),
+                             tree.nameSpan);
+    const Modifier modifications = modifierOf(tree.shortModifications, {&instance, &definition}, work_.messages);
+    collect(instance, **original, merge(outer, modifications, work_.messages), isProtected, path);
+    checkModifiedNames(instance, modifications, false);
 }
 
 /// Local classes and their redeclarations; what is further out was entered before and wins.
@@ -135,14 +158,44 @@ void Instantiator::collectClasses(Instance& instance, const LibraryClass& defini
     for (const auto& local : definition.definition->classes) {
         if (local->isRedeclare) {
             const LibraryClass* known = work_.library.find(fmt::format("{}.{}", definition.qualifiedName, local->name));
+            if (known) mayReplace(instance, definition, *known);
             if (known)
                 instance.redeclared.try_emplace(
                     local->name,
                     Instance::RedeclaredClass{local.get(), {&instance, &definition}, local->nameSpan, known});
             continue;
         }
-        instance.localClasses.try_emplace(local->name, Instance::LocalClass{local.get(), &definition});
+        const auto [known, isNew] =
+            instance.localClasses.try_emplace(local->name, Instance::LocalClass{local.get(), &definition});
+        const bool isSame = isNew || known->second.definition == local.get() || local->extendsItself ||
+                            known->second.definition->extendsItself ||
+                            sameText(known->second.definition->span.text(), local->span.text());
+        if (!isSame)
+            work_.messages.error(phrase("'{}' is declared in '{}' and, differently, in '{}'", local->name,
+                                        known->second.lexical->qualifiedName, definition.qualifiedName),
+                                 known->second.definition->nameSpan, phrase("rename it, or declare it 'redeclare'"));
     }
+}
+
+/// What a class redeclares below itself: an inherited class that is not final, and as public as it was (section 7.3.3).
+void Instantiator::mayReplace(const Instance& instance, const LibraryClass& definition, const LibraryClass& by) {
+    for (const LibraryClass* base : work_.library.bases(definition)) {
+        const LibraryClass* const original = work_.library.lookup(by.definition->name, base->qualifiedName);
+        if (!original || original->scope == definition.scope || original == &by) continue;
+        if (original->definition->isFinal)
+            work_.messages.error(
+                phrase("'{}' of '{}' is final and cannot be redeclared", by.definition->name, instance.className),
+                by.definition->nameSpan);
+        if (original->definition->isProtected != by.definition->isProtected && !original->scope.empty() &&
+            work_.library.isDerived(definition.qualifiedName, original->scope))
+            tellVisibility(by.definition->name, by.definition->isProtected, by.definition->nameSpan);
+    }
+}
+
+void Instantiator::tellVisibility(const std::string& name, bool isProtected, const Span& span) {
+    work_.messages.error(isProtected ? phrase("'{}' is public where it is inherited from, and protected here", name)
+                                     : phrase("'{}' is protected where it is inherited from, and public here", name),
+                         span, phrase("redeclare it in a section of the same kind"));
 }
 
 void Instantiator::addElement(Instance& instance, const LibraryClass& definition, const syntax::Component& component,
@@ -180,11 +233,23 @@ void Instantiator::addElement(Instance& instance, const LibraryClass& definition
         instance.elements.push_back(std::move(element));
 }
 
+/// Constants and what is final stay as they are declared (section 7.3.3).
+bool Instantiator::mayRedeclare(const syntax::Component& original, const Span& span) {
+    const bool isConstant = original.variability == syntax::Variability::Constant;
+    if (!isConstant && !original.isFinal) return true;
+    work_.messages.error(isConstant ? phrase("'{}' is a constant and cannot be redeclared", original.name)
+                                    : phrase("'{}' is final and cannot be redeclared", original.name),
+                         span, phrase("declare a component of another name"));
+    return false;
+}
+
 /// `x(redeclare T x(…))`: the new declaration with the modifications of the constraining clause below its own.
 Element Instantiator::redeclare(Instance& instance, Element element, const syntax::Component& component,
                                 const Modifier& modification) {
     const syntax::Component& replacement = *modification.redeclaredComponent;
-    if (!component.isReplaceable) {
+    const bool sizesOnly = !component.dimensions.empty() && component.type.text() == replacement.type.text();
+    if (!mayRedeclare(component, modification.span)) return element;
+    if (!component.isReplaceable && !sizesOnly) {
         work_.messages.error(phrase("'{}' of '{}' is not replaceable", component.name, instance.className),
                              modification.span, phrase("declare it 'replaceable' or modify it without 'redeclare'"));
         return element;
@@ -192,6 +257,7 @@ Element Instantiator::redeclare(Instance& instance, Element element, const synta
     Modifier constraint = component.constrainedBy
                               ? modifierOf(component.constrainedByModifications, element.scope, work_.messages)
                               : modifierOf(component.modifications, element.scope, work_.messages);
+    if (!component.isReplaceable) constraint = element.modifier;  // other sizes, else what it was
     Modifier fresh = modifierOf(replacement.modifications, modification.redeclareScope, work_.messages);
     if (replacement.binding) fresh.value = {&*replacement.binding, modification.redeclareScope, {}, {}};
     fresh.span = modification.span;
@@ -218,6 +284,9 @@ void Instantiator::replaceElement(Instance& instance, Element& existing, Element
                 component.nameSpan);
             return;
         }
+        if (!mayRedeclare(known, component.nameSpan)) return;
+        if (element.isProtected != existing.isProtected)
+            tellVisibility(component.name, element.isProtected, component.nameSpan);
         const Scope knownScope{&instance, existing.owner};
         Modifier constraint = modifierOf(known.constrainedBy ? known.constrainedByModifications : known.modifications,
                                          knownScope, work_.messages);
@@ -254,6 +323,12 @@ void Instantiator::checkModifiedNames(Instance& instance, const Modifier& modifi
             if (!child.redeclaredClass)
                 work_.messages.error(
                     phrase("'{}' of '{}' is a class; it can only be redeclared", name, instance.className), child.span);
+            else if (fromOutside && local->second.definition->isProtected)
+                work_.messages.error(
+                    phrase("'{}' of '{}' is protected and cannot be modified", name, instance.className), child.span);
+            else if (local->second.definition->isFinal)
+                work_.messages.error(phrase("'{}' of '{}' is final and cannot be redeclared", name, instance.className),
+                                     child.span);
             else if (!local->second.definition->isReplaceable)
                 work_.messages.error(
                     phrase("the class '{}' of '{}' is not replaceable", name, qualifiedOrEmpty(local->second.lexical)),

@@ -158,7 +158,16 @@ bool Instantiator::prepare(Instance& instance, Element& element) {
         const syntax::Name& constraint = original.constrainedBy ? *original.constrainedBy : original.type;
         if (!satisfies(*type, constraint, {&instance, element.owner}, declaration.typeSpan)) return false;
     }
+    if (element.declaration == element.original && original.constrainedBy &&
+        !satisfies(*type, *original.constrainedBy, {&instance, element.owner}, declaration.typeSpan))
+        return false;
     element.type = std::move(*type);
+    if (element.isVariable() && original.isFlow && element.type.builtin != FlatType::Real) {
+        work_.messages.error(
+            phrase("'{}' is a flow and must be Real, not {}", original.name, typeName(element.type.builtin)),
+            original.nameSpan, phrase("remove the prefix, or declare it as Real"));
+        return false;
+    }
     if (element.isVariable() && declaration.causality != syntax::Causality::None &&
         element.type.causality != syntax::Causality::None && element.type.causality != declaration.causality) {
         work_.messages.error(phrase("'{}' is declared as input and as output", declaration.name), declaration.nameSpan);
@@ -210,6 +219,19 @@ bool Instantiator::prepareOuter(Instance& instance, Element& element) {
     if (!meant->isDisabled &&
         !satisfies(meant->type, element.declaration->type, element.scope, meant->declaration->typeSpan))
         return false;
+    if (!element.modifier.empty())
+        return refuse(
+            phrase("the outer component '{}' cannot be modified: it is the one of an instance around it", name),
+            phrase("modify the inner component"));
+    element.type = *type;
+    const auto sizes = dimensionsOf(instance, element);
+    if (!sizes) return false;
+    if (!meant->isDisabled && *sizes != meant->dimensions)
+        return refuse(
+            phrase("the outer component '{}' has the size {}, the inner one {}", name,
+                   sizes->empty() ? phrase("of a single value") : Text(sizeText(*sizes)),
+                   meant->dimensions.empty() ? phrase("of a single value") : Text(sizeText(meant->dimensions))),
+            phrase("declare both alike"));
     element.isElsewhere = true;
     element.isDisabled = meant->isDisabled;
     element.type = meant->type;
@@ -234,7 +256,10 @@ std::optional<std::vector<int>> Instantiator::dimensionsOf(Instance& instance, E
         element.dimensions = result;  // a size may speak of those before it: A[:, size(A, 1)]
         const std::string name = instance.memberName(element.declaration->name);
         if (size->kind != syntax::Expression::Kind::Colon) {
-            const auto extent = work_.translator->constantInteger(*size, sizeScope, phrase("the size of '{}'", name));
+            const auto ofType = work_.translator->valuesOfType(*size, sizeScope);
+            const auto extent =
+                ofType ? std::optional(ofType->dimensions[0])
+                       : work_.translator->constantInteger(*size, sizeScope, phrase("the size of '{}'", name));
             if (!extent) return std::nullopt;
             if (*extent < 0) {
                 work_.messages.error(phrase("the size of '{}' is negative ({})", name, *extent), size->span);
@@ -283,10 +308,20 @@ bool Instantiator::reserve(const Element& element, const std::string& name) {
 void Instantiator::createVariables(Instance& instance, Element& element) {
     const syntax::Component& declaration = *element.declaration;
     const syntax::Component& original = *element.original;
+    const bool isDirected = element.type.causality != syntax::Causality::None ||
+                            original.causality != syntax::Causality::None ||
+                            declaration.causality != syntax::Causality::None;
+    if (isDirected && instance.causality != syntax::Causality::None)
+        work_.messages.error(
+            phrase("'{}' is an input or output, and so is '{}', which holds it", declaration.name, instance.name),
+            instance.declared, phrase("remove one of the two prefixes"));
     FlatVariable variable;
     variable.type = element.type.builtin;
     variable.variability =
         flatVariability(stronger(instance.variability, stronger(declaration.variability, original.variability)));
+    // a text does not change while the model runs
+    if (variable.type == FlatType::String && variable.variability == FlatVariability::Continuous)
+        variable.variability = FlatVariability::Parameter;
     variable.isFlow = declaration.isFlow || original.isFlow || instance.isFlow;
     variable.isProtected = element.isProtected || instance.isProtected;
     variable.isFinal = element.modifier.isFinal || instance.isFinal;
@@ -379,10 +414,27 @@ bool Instantiator::mayContain(const Instance& instance, const Element& element) 
     return true;
 }
 
+/// Prefixes of variables belong to what holds variables only (section 4.4.2.2); a connector is no parameter (9.3).
+bool Instantiator::mayHavePrefix(const Element& element) {
+    const syntax::Component& original = *element.original;
+    const auto fixedly = stronger(element.declaration->variability, original.variability);
+    const bool isFixed = fixedly == syntax::Variability::Parameter || fixedly == syntax::Variability::Constant;
+    const Restriction restriction = element.type.definition->definition->restriction;
+    const bool isModel = restriction == Restriction::Model || restriction == Restriction::Block;
+    const bool isDirected = element.declaration->causality != syntax::Causality::None ||
+                            original.causality != syntax::Causality::None || original.isFlow;
+    if (!(isModel && (isFixed || isDirected)) && !(element.type.isConnector && isFixed)) return true;
+    work_.messages.error(phrase("'{}' is a {} and cannot have the prefix of a variable", original.name,
+                                isModel ? keyword(restriction) : "connector"),
+                         original.nameSpan, phrase("remove the prefix"));
+    return false;
+}
+
 bool Instantiator::createItems(Instance& instance, Element& element) {
     if (!mayContain(instance, element)) return false;
     const syntax::Component& declaration = *element.declaration;
     const syntax::Component& original = *element.original;
+    if (!mayHavePrefix(element)) return false;
     const std::string name = instance.memberName(declaration.name);
     for (std::size_t k = 0; k < element.count() && !work_.messages.full(); ++k) {
         Instance& item = newInstance(*element.type.definition, scalarName(name, k, element.dimensions), &instance);

@@ -37,6 +37,8 @@ private:
     void collectBase(Instance& instance, const LibraryClass& derived, const syntax::Name& baseName,
                      const Modifier& modifications, const Modifier& outer, bool isProtected,
                      std::vector<const LibraryClass*>& path);
+    void collectExtended(Instance& instance, const LibraryClass& definition, const Modifier& outer, bool isProtected,
+                         std::vector<const LibraryClass*>& path);
     void collectClasses(Instance& instance, const LibraryClass& definition, const Modifier& outer);
     void addElement(Instance& instance, const LibraryClass& definition, const syntax::Component& component,
                     const Modifier& outer, bool isProtected);
@@ -44,6 +46,9 @@ private:
     Element redeclare(Instance& instance, Element element, const syntax::Component& component,
                       const Modifier& modification);
     const LibraryClass* lookupBase(const syntax::Name& name, const LibraryClass& derived);
+    void mayReplace(const Instance& instance, const LibraryClass& definition, const LibraryClass& by);
+    void tellVisibility(const std::string& name, bool isProtected, const Span& span);
+    bool mayRedeclare(const syntax::Component& original, const Span& span);
     void checkModifiedNames(Instance& instance, const Modifier& modifier, bool fromOutside);
 
     bool prepare(Instance& instance, Element& element);
@@ -51,6 +56,7 @@ private:
     std::optional<std::vector<int>> dimensionsOf(Instance& instance, Element& element);
     bool reserve(const Element& element, const std::string& name);
     void createVariables(Instance& instance, Element& element);
+    bool mayHavePrefix(const Element& element);
     bool createItems(Instance& instance, Element& element);
     bool mayContain(const Instance& instance, const Element& element);
     bool isOverconstrained(const Instance& instance, const LibraryClass& type);

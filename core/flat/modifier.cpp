@@ -76,6 +76,11 @@ Modifier merge(const Modifier& outer, Modifier inner, Messages& messages, const 
         inner.each = outer.each;
     }
     if (outer.redeclaredComponent || outer.redeclaredClass) {
+        const bool isSettled = (inner.redeclaredComponent && !inner.redeclaredComponent->isReplaceable) ||
+                               (inner.redeclaredClass && !inner.redeclaredClass->isReplaceable);
+        if (isSettled)
+            messages.error(phrase("'{}' was redeclared before, and is not replaceable since", name), outer.span,
+                           phrase("write \"redeclare replaceable\" where it is redeclared first"));
         inner.redeclaredComponent = outer.redeclaredComponent;
         inner.redeclaredClass = outer.redeclaredClass;
         inner.redeclareScope = outer.redeclareScope;

@@ -71,6 +71,15 @@ Value elementwise(ExpressionPool& pool, Operation operation, const Value& a, con
     return result;
 }
 
+/// A square matrix times itself; its power 0 is the identity (section 10.6.8).
+std::optional<Value> matrixPower(Flattening& work, const Span& span, const Value& a, int power) {
+    const auto n = static_cast<std::size_t>(a.dimensions[0]);
+    std::optional<Value> result = a;
+    for (std::size_t k = 0; k < n * n; ++k) result->elements[k] = work.pool.constant(k % (n + 1) == 0 ? 1 : 0);
+    for (int k = 0; k < power && result; ++k) result = product(work, span, *result, a, a.type);
+    return result;
+}
+
 std::optional<Value> arithmetic(Flattening& work, const std::string& text, const Symbol& symbol, const Value& a,
                                 const Value& b, const Span& span) {
     using enum Operation;
@@ -106,8 +115,13 @@ std::optional<Value> arithmetic(Flattening& work, const std::string& text, const
         case Divide:
             if (b.isScalar()) return elementwise(work.pool, Divide, a, b, type);
             return refuse(phrase("to divide element by element write './'"));
-        default:
+        default: {
+            const bool isWhole = b.isScalar() && b.type == FlatType::Integer;
+            const double power = isWhole ? work.translator->constantNumber(b.elements[0], true).value_or(-1) : -1;
+            const bool isSquare = a.dimensions.size() == 2 && a.dimensions[0] == a.dimensions[1];
+            if (isSquare && power >= 0) return matrixPower(work, span, a, static_cast<int>(power));
             return refuse(phrase("to apply it to each element write '.^'"));
+        }
     }
 }
 

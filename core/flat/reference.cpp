@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/flat/binder.hpp"
+#include "core/flat/class_rules.hpp"
 #include "core/flat/events.hpp"
 #include "core/flat/instantiator.hpp"
 #include "core/flat/translator.hpp"
@@ -40,14 +41,22 @@ std::optional<Value> Translator::reference(const syntax::Name& name, const Scope
             if (!slice)
                 if (auto chosen = chosenWhenItRuns(name, scope)) return chosen;
             if (!slice) slice = resolve(name, scope);  // to tell why
-            return slice ? valueOf(*slice) : std::nullopt;
+            return slice && mayBeUsed(*slice, span) ? valueOf(*slice) : std::nullopt;
         }
-        if (first == "time" && name.parts.size() == 1) return Value::scalar(FlatType::Real, work_.pool.time());
+        if (first == "time" && name.parts.size() == 1) return time(scope, span);
     }
     bool found = false;
     auto constant = namedConstant(name, scope, found);
     if (found) return constant;
     reportUnknown(name, scope, span);
+    return std::nullopt;
+}
+
+/// The time is there in models and blocks (section 3.6.7).
+std::optional<Value> Translator::time(const Scope& scope, const Span& span) {
+    if (scope.instance && scope.instance->isComponent()) return Value::scalar(FlatType::Real, work_.pool.time());
+    work_.messages.error(phrase("'time' can be used in models and blocks only"), span,
+                         phrase("give it as an argument, or set the variable in the model that holds it"));
     return std::nullopt;
 }
 
@@ -185,7 +194,7 @@ bool Translator::step(Slice& slice, const std::string& identifier, const std::ve
             next.owner = instance;
             if (isSubscripted) {
                 const auto lists = subscriptLists(element->dimensions, *subscripts, scope, span, next.dimensions);
-                if (!lists) return false;
+                if (!lists || !mayIndex(*element, *subscripts, scope)) return false;
                 chosen = elementOffsets(*lists, element->dimensions);
             } else {
                 next.dimensions.insert(next.dimensions.end(), element->dimensions.begin(), element->dimensions.end());
@@ -208,6 +217,27 @@ bool Translator::step(Slice& slice, const std::string& identifier, const std::ve
         return false;
     }
     slice = std::move(next);
+    return true;
+}
+
+/// A dimension that Boolean or an enumeration gives is indexed by values of that type (section 10.1).
+bool Translator::mayIndex(const Element& element, const std::vector<Expression>& subscripts, const Scope& scope) {
+    const auto& sizes = element.declaration->dimensions;
+    for (std::size_t d = 0; d < subscripts.size() && d < sizes.size(); ++d) {
+        if (sizes[d].kind != Kind::Reference || subscripts[d].kind == Kind::Colon) continue;
+        const auto all = valuesOfType(sizes[d], element.scope);
+        if (!all) continue;
+        ends_.push_back(all->dimensions[0]);
+        const auto index = translate(subscripts[d], scope);
+        ends_.pop_back();
+        if (!index) return false;
+        const bool isEnd = subscripts[d].kind == Kind::End;
+        if (isEnd || (index->type == all->type && index->enumeration == all->enumeration)) continue;
+        work_.messages.error(
+            phrase("a subscript of this dimension is a value of {}, not {}", sizes[d].span.text(), typeText(*index)),
+            subscripts[d].span);
+        return false;
+    }
     return true;
 }
 
@@ -283,7 +313,8 @@ std::optional<std::vector<std::vector<int>>> Translator::subscriptLists(const st
             return std::nullopt;
         }
         for (ExpressionId element : value->elements) {
-            const auto number = constantNumber(element, true);
+            auto number = constantNumber(element, true);
+            if (number && value->type == FlatType::Boolean) ++*number;  // false comes first
             if (!number || *number != std::round(*number)) {
                 work_.messages.error(phrase("a subscript must be an Integer that is known before the simulation"),
                                      subscripts[d].span,
@@ -325,6 +356,14 @@ std::optional<Value> Translator::selectFromValue(Value value, const std::vector<
     return result;
 }
 
+/// A variable that is there on a condition is known to connections only (section 4.4.5).
+bool Translator::mayBeUsed(const Slice& slice, const Span& span) {
+    if (!slice.element->isVariable() || !slice.element->original->condition) return true;
+    work_.messages.error(phrase("'{}' is declared on a condition", slice.element->original->name), span,
+                         phrase("a conditional component may be used in connect equations only"));
+    return false;
+}
+
 std::optional<Value> Translator::valueOf(const Slice& slice) {
     const Element& element = *slice.element;
     if (element.isObject) return objectOf(*slice.element);
@@ -357,6 +396,15 @@ std::optional<Value> Translator::valueOf(const Slice& slice) {
             continue;
         }
         if (!work_.binder->bindParameter(*work_.records[id.value].owner, work_.elementOf(id))) return std::nullopt;
+        const bool isFixed = element.original->variability == syntax::Variability::Parameter ||
+                             element.original->variability == syntax::Variability::Constant ||
+                             element.declaration->variability == syntax::Variability::Parameter ||
+                             element.declaration->variability == syntax::Variability::Constant;
+        if (!isFixed && !work_.records[id.value].isBound && !isTarget_) {
+            work_.messages.error(phrase("the text '{}' is used before it is set", work_.variable(id).name),
+                                 element.declaration->nameSpan, phrase("give it a value where it is declared"));
+            return std::nullopt;
+        }
         value.texts.push_back(work_.variable(id).text);
     }
     return value;
@@ -422,7 +470,12 @@ std::optional<Value> Translator::namedConstant(const syntax::Name& name, const S
         const LibraryClass* definition =
             name.absolute ? work_.library.lookup(prefix, "") : work_.lookup(prefix, scope.lexical);
         if (!definition) return std::nullopt;
+        if (!work_.rules->mayReach(name, scope.lexical)) {
+            found = true;
+            return std::nullopt;
+        }
         if (definition->definition->isEnumeration) {
+            work_.rules->check(*definition);
             found = true;
             return enumerationLiteral(*definition, last, name.span);
         }
@@ -438,6 +491,10 @@ std::optional<Value> Translator::namedConstant(const syntax::Name& name, const S
     } else {
         for (const LibraryClass* outer = scope.lexical; outer && !found; outer = work_.library.find(outer->scope)) {
             value = constantOf(*outer, last, found, seen);
+            const auto& components = outer->definition->components;
+            const auto nearer = std::find_if(components.begin(), components.end(),
+                                             [&](const syntax::Component& c) { return c.name == last; });
+            if (!found && nearer != components.end()) break;  // no constant: it hides those further out
             if (!found) value = importedConstant(name, *outer, found, seen);
             if (outer->scope.empty() || outer->definition->isEncapsulated) break;
         }
@@ -471,6 +528,7 @@ std::optional<Value> Translator::importedConstant(const syntax::Name& name, cons
 std::optional<Value> Translator::constantOf(const LibraryClass& definition, const std::string& name, bool& found,
                                             std::set<const LibraryClass*>& seen) {
     if (!seen.insert(&definition).second) return std::nullopt;
+    work_.rules->check(definition);
     for (const auto& component : definition.definition->components) {
         if (component.name != name) continue;
         if (component.variability != syntax::Variability::Constant) return std::nullopt;

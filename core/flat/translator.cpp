@@ -356,12 +356,8 @@ std::optional<Value> Translator::comprehension(const Expression& expression, con
                                                std::size_t outermost) {
     if (outermost == 0) return translate(expression.operands[0], scope);
     const auto& [name, ranges] = expression.iterators[outermost - 1];
-    if (ranges.empty()) {
-        work_.messages.error(phrase("the iterator '{}' needs a range", name), expression.span,
-                             phrase("write: for i in 1:n"));
-        return std::nullopt;
-    }
-    const auto values = range(ranges[0], scope);
+    const auto values = ranges.empty() ? impliedRange(name, {&expression.operands[0]}, scope, expression.span)
+                                       : range(ranges[0], scope);
     if (!values) return std::nullopt;
     Value result;
     result.dimensions = {0};
@@ -428,6 +424,7 @@ bool Translator::append(Value& array, const Value& part, const Span& span) {
 
 std::optional<Value> Translator::range(const Expression& expression, const Scope& scope) {
     if (expression.kind != Kind::Range) {
+        if (auto all = valuesOfType(expression, scope)) return all;
         auto value = translate(expression, scope);
         if (value && value->dimensions.size() == 1) return value;
         if (value)
@@ -441,14 +438,15 @@ std::optional<Value> Translator::range(const Expression& expression, const Scope
     for (std::size_t i = 0; i < expression.operands.size(); ++i) {
         const auto limit = translate(expression.operands[i], scope);
         if (!limit) return std::nullopt;
-        const auto number =
-            limit->isScalar() && limit->isNumeric() ? constantNumber(limit->elements[0], true) : std::nullopt;
+        const bool isOrdered = limit->isNumeric() || !limit->enumeration.empty() || limit->type == FlatType::Boolean;
+        const auto number = limit->isScalar() && isOrdered ? constantNumber(limit->elements[0], true) : std::nullopt;
         if (!number) {
             work_.messages.error(phrase("the limits of a range must be numbers that are known before the simulation"),
                                  expression.operands[i].span, phrase("use a parameter or a constant"));
             return std::nullopt;
         }
-        if (limit->type == FlatType::Real) result.type = FlatType::Real;
+        if (limit->type != FlatType::Integer) result.type = limit->type;
+        result.enumeration = limit->enumeration;
         limits[i] = *number;
     }
     const double first = limits[0];

@@ -43,10 +43,20 @@ public:
     std::optional<double> constantNumber(ExpressionId id, bool isStructural);
     /// Whether the expression depends on parameters and constants only.
     bool isParametric(ExpressionId id) const;
+    /// The values of Boolean or of an enumeration that is named as a size or a range; nothing: another expression.
+    std::optional<Value> valuesOfType(const syntax::Expression& expression, const Scope& scope);
+    /// The values an iterator takes that is written without a range: those of the dimension whose subscript it is
+    /// (section 11.2.2.1).
+    std::optional<Value> impliedRange(const std::string& iterator, const std::vector<const syntax::Expression*>& within,
+                                      const Scope& scope, const Span& span);
+    /// The values of an iterator of a loop.
+    std::optional<Value> rangeOf(const syntax::Equation& loop, std::size_t iterator, const Scope& scope);
     /// The values an iterator takes: a vector.
     std::optional<Value> range(const syntax::Expression& expression, const Scope& scope);
 
     void pushIterator(const std::string& name, Value value) { iterators_.emplace_back(name, std::move(value)); }
+    /// While the left side of an equation is read: a text may be named there that has no value yet.
+    void setTarget(bool isTarget) { isTarget_ = isTarget; }
     void popIterator() { iterators_.pop_back(); }
 
     /// All outputs of a call; of anything else that is one value.
@@ -68,9 +78,11 @@ private:
 
     std::optional<Value> translateNested(const Expression& expression, const Scope& scope);
     std::optional<Value> reference(const syntax::Name& name, const Scope& scope, const Span& span);
+    std::optional<Value> time(const Scope& scope, const Span& span);
     std::optional<Value> chosenWhenItRuns(const syntax::Name& name, const Scope& scope);
     std::optional<Value> chosenFrom(const Value& array, const std::vector<Expression>& subscripts, const Scope& scope);
     std::optional<Value> local(Value value, const syntax::Name& name, const Scope& scope, const Span& span);
+    bool mayBeUsed(const Slice& slice, const Span& span);
     std::optional<Value> valueOf(const Slice& slice);
     std::optional<Value> recordOf(Instance& instance);
     std::optional<Value> objectOf(Element& element);
@@ -85,6 +97,7 @@ private:
 
     bool step(Slice& slice, const std::string& identifier, const std::vector<Expression>* subscripts,
               const Scope& scope, const Span& span, bool isFirst);
+    bool mayIndex(const Element& element, const std::vector<Expression>& subscripts, const Scope& scope);
     Element* memberOf(Instance& instance, const std::string& identifier, const Span& span, bool isFirst);
     std::optional<Value> selectFromValue(Value value, const std::vector<Expression>& subscripts, const Scope& scope,
                                          const Span& span);
@@ -93,6 +106,7 @@ private:
                                                                 const Scope& scope, const Span& span,
                                                                 std::vector<int>& remaining);
 
+    std::optional<Value> dimensionRange(const syntax::Name& name, std::size_t subscript, const Scope& scope);
     std::optional<Value> unary(const Expression& expression, const Scope& scope);
     std::optional<Value> binaryChain(const Expression& expression, const Scope& scope);
     const Expression* decided(const Expression& expression, const Scope& scope);
@@ -107,6 +121,7 @@ private:
     Flattening& work_;
     std::vector<std::pair<std::string, Value>> iterators_;     // and the variables of the function under way
     std::unordered_map<std::uint32_t, ExpressionId> overlay_;  // variables that the algorithm under way has set
+    bool isTarget_{};
     int callDepth_{};
     std::vector<int> ends_;  // extents of the dimensions in which `end` may stand
     std::set<std::pair<const LibraryClass*, std::string>> busyConstants_;

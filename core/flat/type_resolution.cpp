@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/flat/class_rules.hpp"
 #include "core/flat/instantiator.hpp"
 
 /// From a type name to what is instantiated (Modelica 3.6, sections 4.5 and 5.3).
@@ -60,8 +61,18 @@ std::optional<ResolvedType> Instantiator::resolveType(const syntax::Name& name, 
         work_.reportUnknownClass(name, scope.lexical);
         return std::nullopt;
     }
+    if (!work_.rules->mayReach(name, scope.lexical)) return std::nullopt;
     if (!isReachedUnmodified(name, scope, *found)) return std::nullopt;
-    return followClass(*found, scope, depth + 1);
+    auto type = followClass(*found, scope, depth + 1);
+    const syntax::ClassDefinition& tree = *found->definition;
+    if (!type || !tree.isReplaceable || !tree.constrainedBy) return type;
+    const LibraryClass* const outside = work_.library.find(found->scope);
+    ResolvedType own = *type;  // the sizes that the short class adds are not those of what it names
+    own.dimensions.erase(own.dimensions.begin(),
+                         own.dimensions.begin() +
+                             static_cast<std::ptrdiff_t>(std::min(own.dimensions.size(), tree.shortDimensions.size())));
+    if (!satisfies(own, *tree.constrainedBy, {nullptr, outside}, tree.nameSpan)) return std::nullopt;
+    return type;
 }
 
 /// The redeclaration that a name meets: in the instance itself, or in one around it when the name leads to a class
@@ -124,6 +135,8 @@ bool Instantiator::satisfies(const ResolvedType& type, const syntax::Name& const
     };
     if (type.isBuiltin || required->isBuiltin) {
         const bool same = type.isBuiltin && required->isBuiltin && type.builtin == required->builtin;
+        if (type.dimensions.size() != required->dimensions.size())
+            return refuse(phrase("it has {} dimensions, not {}", type.dimensions.size(), required->dimensions.size()));
         return same || refuse(phrase("it is of another type"));
     }
     if (work_.library.isDerived(type.definition->qualifiedName, required->definition->qualifiedName)) return true;
@@ -160,6 +173,7 @@ void Instantiator::constrain(ResolvedType& type, Instance& instance, const std::
 std::optional<ResolvedType> Instantiator::followClass(const LibraryClass& definition, const Scope& scope, int depth) {
     const syntax::ClassDefinition& tree = *definition.definition;
     work_.keepSource(tree);
+    if (tree.isEnumeration || tree.isShort) work_.rules->check(definition);
     if (tree.isOpenEnumeration) {
         work_.messages.error(phrase("open enumerations, \"(:)\", are not supported"), tree.nameSpan,
                              phrase("list the literals"));

@@ -19,16 +19,18 @@ struct Value {
     std::string enumeration;             // qualified class of an enumeration value (its type is Integer)
     std::string record;                  // qualified class of a record; its dimensions lead those of the members
     std::vector<std::pair<std::string, Value>> members;
-    int object{-1};  // an external object: its number among Flattening::tables
+    const LibraryClass* function{};  // a function as a value; members: the arguments that it was given
+    int object{-1};                  // an external object: its number among Flattening::tables
 
     bool isRecord() const { return !record.empty(); }
     bool isObject() const { return object >= 0; }
+    bool isFunction() const { return function != nullptr; }
     Value* member(std::string_view name);
     const Value* member(std::string_view name) const { return const_cast<Value*>(this)->member(name); }
     bool isScalar() const { return dimensions.empty(); }
     std::size_t size() const { return type == FlatType::String ? texts.size() : elements.size(); }
     bool isNumeric() const {
-        return !isRecord() && !isObject() && (type == FlatType::Real || type == FlatType::Integer) &&
+        return !isRecord() && !isObject() && !isFunction() && (type == FlatType::Real || type == FlatType::Integer) &&
                enumeration.empty();
     }
 

@@ -210,6 +210,8 @@ std::vector<const LibraryClass*> Library::bases(const LibraryClass& derived) con
         if (const LibraryClass* base = search.findBase(name, derived)) result.push_back(base);
     };
     if (derived.definition->isShort && !derived.definition->isEnumeration) add(derived.definition->shortBase);
+    if (derived.definition->extendsItself)
+        if (const LibraryClass* const original = search.extended(derived)) result.push_back(original);
     for (const syntax::Extends& clause : derived.definition->bases) add(clause.base);
     return result;
 }

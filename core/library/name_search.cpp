@@ -44,6 +44,11 @@ const LibraryClass* NameSearch::declaredOrInherited(const LibraryClass& in, std:
     return inherited(in, identifier);
 }
 
+const LibraryClass* NameSearch::extended(const LibraryClass& heir) {
+    const LibraryClass* const outside = library_.find(heir.scope);
+    return outside ? inherited(*outside, heir.definition->name) : nullptr;
+}
+
 const LibraryClass* NameSearch::inherited(const LibraryClass& in, std::string_view identifier) {
     const auto [entry, isNew] = visited_.try_emplace({&in, std::string(identifier)}, nullptr);
     if (!isNew) return entry->second;
@@ -53,6 +58,8 @@ const LibraryClass* NameSearch::inherited(const LibraryClass& in, std::string_vi
     };
     const LibraryClass* found = nullptr;
     if (in.definition->isShort && !in.definition->isEnumeration) found = from(in.definition->shortBase);
+    if (in.definition->extendsItself)
+        if (const LibraryClass* const original = extended(in)) found = declaredOrInherited(*original, identifier);
     for (const syntax::Extends& clause : in.definition->bases) {
         if (!found) found = from(clause.base);
     }

@@ -18,6 +18,8 @@ public:
     const LibraryClass* find(const syntax::Name& name, std::string_view scope);
     /// The class a base's name means in the class that extends it: names it inherits itself do not count.
     const LibraryClass* findBase(const syntax::Name& name, const LibraryClass& derived);
+    /// The inherited class that `model extends M` continues; null when there is none.
+    const LibraryClass* extended(const LibraryClass& heir);
 
 private:
     const LibraryClass* findFirst(std::string_view identifier, std::string_view scope, const LibraryClass* heir);

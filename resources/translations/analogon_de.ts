@@ -4834,6 +4834,278 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
 <context>
     <name>core</name>
     <message>
+        <source>'{}' is a type of the language; nothing else may have this name</source>
+        <translation>„{}“ ist ein Typ der Sprache; nichts anderes darf so heißen</translation>
+    </message>
+    <message>
+        <source>give it another name</source>
+        <translation>einen anderen Namen geben</translation>
+    </message>
+    <message>
+        <source>'{}' cannot be a value of the enumeration {}: it is an attribute of all enumerations</source>
+        <translation>„{}“ kann kein Wert der Aufzählung {} sein: es ist ein Attribut aller Aufzählungen</translation>
+    </message>
+    <message>
+        <source>'{}' stands twice among the values of the enumeration {}</source>
+        <translation>„{}“ steht zweimal unter den Werten der Aufzählung {}</translation>
+    </message>
+    <message>
+        <source>a {} has no equations and no algorithms</source>
+        <translation>{} hat keine Gleichungen und keine Algorithmen</translation>
+    </message>
+    <message>
+        <source>write them in the model that holds it</source>
+        <translation>sie in das Modell schreiben, das sie enthält</translation>
+    </message>
+    <message>
+        <source>'{}' cannot be {} in a {}</source>
+        <translation>„{}“ kann nicht {} sein in: {}</translation>
+    </message>
+    <message>
+        <source>remove the prefix, or declare it in the model that holds it</source>
+        <translation>den Vorsatz entfernen, oder im umgebenden Modell deklarieren</translation>
+    </message>
+    <message>
+        <source>'{}' is an array or has a prefix: a class that extends it can hold nothing else</source>
+        <translation>„{}“ ist ein Feld oder hat einen Vorsatz: eine Klasse, die davon erbt, kann nichts anderes enthalten</translation>
+    </message>
+    <message>
+        <source>declare a component of it instead</source>
+        <translation>stattdessen eine Komponente davon deklarieren</translation>
+    </message>
+    <message>
+        <source>the base class '{}' is replaceable</source>
+        <translation>die Basisklasse „{}“ ist ersetzbar (replaceable)</translation>
+    </message>
+    <message>
+        <source>extend a class that cannot be replaced</source>
+        <translation>von einer Klasse erben, die nicht ersetzt werden kann</translation>
+    </message>
+    <message>
+        <source>two imports have the same name '{}'</source>
+        <translation>zwei Importe haben denselben Namen „{}“</translation>
+    </message>
+    <message>
+        <source>name one of them: import NAME = …</source>
+        <translation>einen davon benennen: import NAME = …</translation>
+    </message>
+    <message>
+        <source>'{}' is no package and no element of a package; it cannot be imported</source>
+        <translation>„{}“ ist kein Paket und kein Element eines Pakets und kann nicht importiert werden</translation>
+    </message>
+    <message>
+        <source>name it by its full name</source>
+        <translation>den vollen Namen schreiben</translation>
+    </message>
+    <message>
+        <source>'{}' of the function {} is neither input nor output nor protected</source>
+        <translation>„{}“ der Funktion {} ist weder Eingang noch Ausgang noch geschützt</translation>
+    </message>
+    <message>
+        <source>declare it below "protected"</source>
+        <translation>unter „protected“ deklarieren</translation>
+    </message>
+    <message>
+        <source>a function has one algorithm and no initial one</source>
+        <translation>eine Funktion hat einen einzigen Algorithmus und keinen für den Anfang</translation>
+    </message>
+    <message>
+        <source>write all statements in one algorithm</source>
+        <translation>alle Anweisungen in einen Algorithmus schreiben</translation>
+    </message>
+    <message>
+        <source>'{}' is an input of the function and cannot be assigned</source>
+        <translation>„{}“ ist ein Eingang der Funktion, ihm lässt sich nichts zuweisen</translation>
+    </message>
+    <message>
+        <source>use a protected variable</source>
+        <translation>eine geschützte Variable verwenden</translation>
+    </message>
+    <message>
+        <source>'break' stands outside of a loop</source>
+        <translation>„break“ steht außerhalb einer Schleife</translation>
+    </message>
+    <message>
+        <source>'return' stands outside of a function</source>
+        <translation>„return“ steht außerhalb einer Funktion</translation>
+    </message>
+    <message>
+        <source>'when' cannot stand within another 'when'</source>
+        <translation>„when“ kann nicht in einem anderen „when“ stehen</translation>
+    </message>
+    <message>
+        <source>join the conditions by 'and'</source>
+        <translation>die Bedingungen mit „and“ verbinden</translation>
+    </message>
+    <message>
+        <source>'{}' is no package: '{}' in it cannot be used from outside</source>
+        <translation>„{}“ ist kein Paket: „{}“ darin lässt sich von außen nicht verwenden</translation>
+    </message>
+    <message>
+        <source>declare it "encapsulated", or move it to a package</source>
+        <translation>es „encapsulated“ deklarieren, oder in ein Paket verschieben</translation>
+    </message>
+    <message>
+        <source>'{}' takes no function as its argument '{}'</source>
+        <translation>„{}“ nimmt keine Funktion als Argument „{}“</translation>
+    </message>
+    <message>
+        <source>'{}' has several outputs and cannot be called for each element of an array</source>
+        <translation>„{}“ hat mehrere Ausgänge und lässt sich nicht für jedes Element eines Felds aufrufen</translation>
+    </message>
+    <message>
+        <source>call it in a loop</source>
+        <translation>in einer Schleife aufrufen</translation>
+    </message>
+    <message>
+        <source>the arguments of '{}' differ in size</source>
+        <translation>die Argumente von „{}“ sind verschieden groß</translation>
+    </message>
+    <message>
+        <source>'{}' was redeclared before, and is not replaceable since</source>
+        <translation>„{}“ wurde schon ersetzt und ist seitdem nicht mehr ersetzbar</translation>
+    </message>
+    <message>
+        <source>write "redeclare replaceable" where it is redeclared first</source>
+        <translation>bei der ersten Ersetzung „redeclare replaceable“ schreiben</translation>
+    </message>
+    <message>
+        <source>the constant '{}' depends on the parameter '{}'</source>
+        <translation>die Konstante „{}“ hängt vom Parameter „{}“ ab</translation>
+    </message>
+    <message>
+        <source>declare it as parameter</source>
+        <translation>als Parameter deklarieren</translation>
+    </message>
+    <message>
+        <source>'{}' continues a class of its name, but none is inherited</source>
+        <translation>„{}“ setzt eine Klasse dieses Namens fort, doch es wird keine geerbt</translation>
+    </message>
+    <message>
+        <source>give the class a name of its own</source>
+        <translation>der Klasse einen eigenen Namen geben</translation>
+    </message>
+    <message>
+        <source>'{}' of '{}' is final and cannot be redeclared</source>
+        <translation>„{}“ von „{}“ ist final und kann nicht ersetzt werden</translation>
+    </message>
+    <message>
+        <source>'{}' is public where it is inherited from, and protected here</source>
+        <translation>„{}“ ist öffentlich, wo es geerbt wird, und hier geschützt</translation>
+    </message>
+    <message>
+        <source>'{}' is protected where it is inherited from, and public here</source>
+        <translation>„{}“ ist geschützt, wo es geerbt wird, und hier öffentlich</translation>
+    </message>
+    <message>
+        <source>redeclare it in a section of the same kind</source>
+        <translation>in einem Abschnitt derselben Art ersetzen</translation>
+    </message>
+    <message>
+        <source>'{}' is a constant and cannot be redeclared</source>
+        <translation>„{}“ ist eine Konstante und kann nicht ersetzt werden</translation>
+    </message>
+    <message>
+        <source>'{}' is final and cannot be redeclared</source>
+        <translation>„{}“ ist final und kann nicht ersetzt werden</translation>
+    </message>
+    <message>
+        <source>declare a component of another name</source>
+        <translation>eine Komponente anderen Namens deklarieren</translation>
+    </message>
+    <message>
+        <source>'time' can be used in models and blocks only</source>
+        <translation>„time“ lässt sich nur in Modellen und Blöcken verwenden</translation>
+    </message>
+    <message>
+        <source>give it as an argument, or set the variable in the model that holds it</source>
+        <translation>als Argument übergeben, oder die Variable im umgebenden Modell setzen</translation>
+    </message>
+    <message>
+        <source>a subscript of this dimension is a value of {}, not {}</source>
+        <translation>ein Index dieser Dimension ist ein Wert von {}, nicht {}</translation>
+    </message>
+    <message>
+        <source>'{}' is declared on a condition</source>
+        <translation>„{}“ ist mit einer Bedingung deklariert</translation>
+    </message>
+    <message>
+        <source>the text '{}' is used before it is set</source>
+        <translation>der Text „{}“ wird verwendet, bevor er gesetzt ist</translation>
+    </message>
+    <message>
+        <source>give it a value where it is declared</source>
+        <translation>bei der Deklaration einen Wert geben</translation>
+    </message>
+    <message>
+        <source>'{}' is no format of a number</source>
+        <translation>„{}“ ist kein Zahlenformat</translation>
+    </message>
+    <message>
+        <source>write for example "8.3f"</source>
+        <translation>zum Beispiel schreiben: "8.3f"</translation>
+    </message>
+    <message>
+        <source>'{}' is a flow and must be Real, not {}</source>
+        <translation>„{}“ ist eine Flussgröße und muss Real sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>remove the prefix, or declare it as Real</source>
+        <translation>den Vorsatz entfernen, oder als Real deklarieren</translation>
+    </message>
+    <message>
+        <source>the outer component '{}' has the size {}, the inner one {}</source>
+        <translation>die äußere Komponente „{}“ hat die Größe {}, die innere {}</translation>
+    </message>
+    <message>
+        <source>declare both alike</source>
+        <translation>beide gleich deklarieren</translation>
+    </message>
+    <message>
+        <source>'{}' is an input or output, and so is '{}', which holds it</source>
+        <translation>„{}“ ist Eingang oder Ausgang, und „{}“, das es enthält, ebenso</translation>
+    </message>
+    <message>
+        <source>remove one of the two prefixes</source>
+        <translation>einen der beiden Vorsätze entfernen</translation>
+    </message>
+    <message>
+        <source>'{}' is a {} and cannot have the prefix of a variable</source>
+        <translation>„{}“ ist {} und kann keinen Vorsatz einer Variablen haben</translation>
+    </message>
+    <message>
+        <source>remove the prefix</source>
+        <translation>den Vorsatz entfernen</translation>
+    </message>
+    <message>
+        <source>the iterator '{}' stands for dimensions of different sizes</source>
+        <translation>die Laufvariable „{}“ steht für Dimensionen verschiedener Größe</translation>
+    </message>
+    <message>
+        <source>an equation of texts is: variable = text</source>
+        <translation>eine Gleichung von Texten lautet: Variable = Text</translation>
+    </message>
+    <message>
+        <source>the text '{}' is set twice</source>
+        <translation>der Text „{}“ wird zweimal gesetzt</translation>
+    </message>
+    <message>
+        <source>it has {} dimensions, not {}</source>
+        <translation>es hat {} Dimensionen, nicht {}</translation>
+    </message>
+    <message>
+        <source>the function '{}' is partial and cannot be called</source>
+        <translation>die Funktion „{}“ ist partiell und kann nicht aufgerufen werden</translation>
+    </message>
+    <message>
+        <source>call a function that extends it</source>
+        <translation>eine Funktion aufrufen, die davon erbt</translation>
+    </message>
+    <message>
+        <source>the condition after 'while' must be Boolean, not {}</source>
+        <translation>die Bedingung nach „while“ muss Boolean sein, nicht {}</translation>
+    </message>
+    <message>
         <source>this cannot be written: {}</source>
         <translation>dies lässt sich nicht schreiben: {}</translation>
     </message>
