@@ -196,7 +196,16 @@ std::optional<Value> Executor::initialValue(const Input& element, const Scope& s
         dimensions.push_back(std::max(0, *extent));
     }
     if (!work_.translator->spend(elementCount(dimensions), declaration.nameSpan)) return std::nullopt;
-    return emptyValue(declaration.type, element.lexical, std::move(dimensions), 0);
+    auto value = emptyValue(declaration.type, element.lexical, std::move(dimensions), 0);
+    if (!value || !value->isRecord() || !value->isScalar()) return value;
+    for (const syntax::Modification& modification : declaration.modifications) {
+        Value* const member = modification.value ? value->member(modification.name.text()) : nullptr;
+        if (!member) continue;
+        auto given = work_.translator->translate(*modification.value, scope);
+        if (!given) return given;
+        *member = std::move(*given);
+    }
+    return value;
 }
 
 /// A value of this type that nothing was assigned to: not a number, false, an empty text.

@@ -22,6 +22,11 @@ public:
     /// The outputs of a function of the library for these arguments; nothing when it cannot be run (reported).
     std::optional<std::vector<Value>> call(const LibraryClass& function, const syntax::Expression& call,
                                            const Scope& caller, const Value* partly = nullptr);
+    /// An operator on values of which one is a record with operators of its own; reported when there is none that fits.
+    std::optional<Value> operate(const std::string& operation, std::vector<Value> arguments, const Span& span);
+    /// Such a record, made by its constructor.
+    std::optional<Value> operatorRecord(const std::string& record, const std::vector<Value>& arguments,
+                                        const Span& span);
     /// A function as a value: its name, or `function f(x = …)` with some of its arguments; nothing: it is none.
     std::optional<Value> functionValue(const syntax::Expression& expression, const Scope& scope);
     /// A record of its class, made by its constructor.
@@ -48,6 +53,7 @@ private:
                                           const std::map<std::string, Input>& preset, const syntax::Expression& call);
     std::optional<std::vector<Value>> each(const Signature& signature, std::vector<std::pair<std::string, Value>> given,
                                            const std::map<std::string, Input>& preset, const syntax::Expression& call);
+    std::optional<Value> callWith(const LibraryClass& function, const std::vector<Value>& arguments, const Span& span);
     std::size_t rankOf(const Input& element);
     bool takesFunction(const Input& element);
     std::optional<Value> initialValue(const Input& element, const Scope& scope);
@@ -86,5 +92,8 @@ private:
     ExpressionId broken_, returned_;    // when the loop, the function was left before; invalid: never
     std::vector<ExpressionId> guards_;  // conditions of the branches under way
 };
+
+/// Whether a record has operators of its own that are understood: `Complex`.
+bool hasOperators(const LibraryClass& definition);
 
 }  // namespace analogon

@@ -268,6 +268,13 @@ private:
             array = work_.translator->comprehension(call_, scope_, call_.iterators.size());
         }
         if (!array) return array;
+        if (array->isRecord() && array->dimensions.size() == 1 && array->dimensions[0] > 0 &&
+            operation == Operation::Add) {
+            std::optional<Value> total = array->part(1);
+            for (int k = 2; k <= array->dimensions[0] && total; ++k)
+                total = combine(work_, "+", *total, array->part(k), call_.span);
+            return total;
+        }
         if (!array->isNumeric() || array->isScalar())
             return fail(phrase("'{}' needs an array of numbers, not {}", name_, typeText(*array)),
                         call_.operands[0].span);
@@ -625,6 +632,17 @@ private:
         using Restriction = syntax::ClassDefinition::Restriction;
         const Restriction restriction = definition.definition->restriction;
         if (restriction == Restriction::Function) return Executor(work_).call(definition, call_, scope_);
+        if (hasOperators(definition) && call_.named.empty() && call_.iterators.empty()) {
+            std::vector<Value> arguments;
+            for (const syntax::Expression& operand : call_.operands) {
+                auto argument = work_.translator->translate(operand, scope_);
+                if (!argument) return std::nullopt;
+                arguments.push_back(std::move(*argument));
+            }
+            auto made = Executor(work_).operatorRecord(definition.qualifiedName, arguments, call_.span);
+            if (!made) return std::nullopt;
+            return std::vector<Value>{std::move(*made)};
+        }
         if (restriction == Restriction::Record) {
             auto value = Executor(work_).construct(definition, call_, scope_);
             if (!value) return std::nullopt;

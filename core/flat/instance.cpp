@@ -32,6 +32,10 @@ Instance& Instance::component() {
     return *instance;
 }
 
+bool Instance::isOfRecord() const {
+    return isRecord() || definition->definition->restriction == syntax::ClassDefinition::Restriction::Record;
+}
+
 Text Instance::label() const {
     return name.empty() ? phrase("model '{}'", className) : phrase("component '{}' ({})", name, className);
 }

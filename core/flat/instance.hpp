@@ -106,6 +106,8 @@ struct Instance {
     std::string memberName(std::string_view member) const;
     bool isConnector() const { return restriction == syntax::ClassDefinition::Restriction::Connector; }
     bool isRecord() const { return restriction == syntax::ClassDefinition::Restriction::Record; }
+    /// A record, or a connector that is one (`connector C = output Complex`): it has a value.
+    bool isOfRecord() const;
     /// A model or block: has equations of its own and is counted in the balance.
     bool isComponent() const { return !isConnector() && !isRecord(); }
     /// The innermost model or block it belongs to (itself when it is one).

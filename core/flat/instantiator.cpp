@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/flat/executor.hpp"
 #include "core/flat/translator.hpp"
 
 namespace analogon {
@@ -389,7 +390,7 @@ bool Instantiator::mayContain(const Instance& instance, const Element& element) 
         return false;
     }
     if (isOverconstrained(instance, *type)) return false;
-    if (tree.isOperator || tree.restriction == Restriction::Operator) {
+    if ((tree.isOperator || tree.restriction == Restriction::Operator) && !hasOperators(*type)) {
         work_.messages.error(phrase("operator classes are not supported"), element.declaration->typeSpan,
                              phrase("write the relation as equations of a block"));
         return false;
@@ -463,7 +464,7 @@ bool Instantiator::createItems(Instance& instance, Element& element) {
 
 /// `Limits l = other`: each member takes the member of the same name.
 void Instantiator::bindRecord(Instance& record, const Modifier& modifier) {
-    if (!record.isRecord()) {
+    if (!record.isOfRecord()) {
         work_.messages.error(phrase("'{}' is a {}; it has no value that could be set with '='", record.name,
                                     keyword(record.restriction)),
                              modifier.value.expression->span, phrase("modify its parameters: name(parameter = value)"));

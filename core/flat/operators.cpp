@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/flat/executor.hpp"
 #include "core/flat/translator.hpp"
 
 /// Operators on scalars and arrays (Modelica 3.6, sections 3.4, 3.5 and 10.6).
@@ -148,6 +149,10 @@ std::optional<Value> combine(Flattening& work, const std::string& operation, con
         work.messages.error(phrase("the operator '{}' is not supported", operation), span);
         return std::nullopt;
     }
+    for (const Value* side : {&a, &b})
+        if (side->isRecord())
+            if (const LibraryClass* type = work.library.find(side->record); type && hasOperators(*type))
+                return Executor(work).operate(operation, {a, b}, span);
     if (symbol->family == Symbol::Family::Arithmetic) return arithmetic(work, operation, *symbol, a, b, span);
     if (symbol->family == Symbol::Family::Relation) return relation(work, operation, *symbol, a, b, span);
     if (a.type != FlatType::Boolean || b.type != FlatType::Boolean || a.dimensions != b.dimensions) {

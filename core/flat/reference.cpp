@@ -367,7 +367,7 @@ bool Translator::mayBeUsed(const Slice& slice, const Span& span) {
 std::optional<Value> Translator::valueOf(const Slice& slice) {
     const Element& element = *slice.element;
     if (element.isObject) return objectOf(*slice.element);
-    const bool isRecord = !slice.instances.empty() && slice.instances.front()->isRecord();
+    const bool isRecord = !slice.instances.empty() && slice.instances.front()->isOfRecord();
     if (isRecord && slice.dimensions.empty()) return recordOf(*slice.instances.front());
     if (isRecord && slice.dimensions.size() == 1) {
         Value array;

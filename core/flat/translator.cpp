@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/flat/binder.hpp"
+#include "core/flat/executor.hpp"
 #include "core/flat/instantiator.hpp"
 
 namespace analogon {
@@ -154,6 +155,11 @@ bool Translator::spend(std::size_t elements, const Span& span) {
 std::optional<Value> Translator::unary(const Expression& expression, const Scope& scope) {
     auto value = translate(expression.operands[0], scope);
     if (!value) return value;
+    if (value->isRecord() && (expression.text == "-" || expression.text == "+"))
+        if (const LibraryClass* type = work_.library.find(value->record); type && hasOperators(*type)) {
+            if (expression.text == "+") return value;
+            return Executor(work_).operate("-", {std::move(*value)}, expression.span);
+        }
     const bool isNot = expression.text == "not";
     if (isNot ? value->type != FlatType::Boolean : !value->isNumeric()) {
         work_.messages.error(isNot ? phrase("'{}' needs a Boolean value, not {}", expression.text, typeText(*value))
@@ -234,6 +240,10 @@ std::optional<Value> Translator::conditional(const Expression& expression, const
                 }
                 continue;
             }
+            if (branch->isRecord() && result->isRecord()) {
+                if (!chooseMembers(condition->elements[0], *branch, *result, operands[i - 1].span)) return std::nullopt;
+                continue;
+            }
             if (branch->isRecord() || branch->isObject()) {
                 work_.messages.error(
                     phrase("the branches of 'if' differ in type: {} and {}", typeText(*branch), typeText(*result)),
@@ -258,6 +268,24 @@ std::optional<Value> Translator::conditional(const Expression& expression, const
             if (const syntax::Expression* chosen = decided(expression, scope)) value = translate(*chosen, scope);
     }
     return value ? value : allBranches();
+}
+
+/// Records are chosen member by member.
+bool Translator::chooseMembers(ExpressionId condition, const Value& branch, Value& result, const Span& span) {
+    for (auto& [name, member] : result.members) {
+        const Value* const other = branch.member(name);
+        const bool fits = other && other->dimensions == member.dimensions && other->texts == member.texts &&
+                          other->elements.size() == member.elements.size() && other->isRecord() == member.isRecord();
+        if (!fits) {
+            work_.messages.error(
+                phrase("the branches of 'if' differ in type: {} and {}", typeText(branch), typeText(result)), span);
+            return false;
+        }
+        if (member.isRecord() && !chooseMembers(condition, *other, member, span)) return false;
+        for (std::size_t k = 0; k < member.elements.size(); ++k)
+            member.elements[k] = work_.pool.ifThenElse(condition, other->elements[k], member.elements[k]);
+    }
+    return true;
 }
 
 std::optional<double> Translator::knownNow(ExpressionId id) {

@@ -110,6 +110,7 @@ private:
     std::optional<Value> unary(const Expression& expression, const Scope& scope);
     std::optional<Value> binaryChain(const Expression& expression, const Scope& scope);
     const Expression* decided(const Expression& expression, const Scope& scope);
+    bool chooseMembers(ExpressionId condition, const Value& branch, Value& result, const Span& span);
     std::optional<Value> conditional(const Expression& expression, const Scope& scope);
     std::optional<Value> array(const Expression& expression, const Scope& scope);
     std::optional<Value> comprehension(const Expression& expression, const Scope& scope, std::size_t outermost);

@@ -4834,6 +4834,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
 <context>
     <name>core</name>
     <message>
+        <source>'{}' cannot be made of these arguments</source>
+        <translation>„{}“ lässt sich aus diesen Argumenten nicht bilden</translation>
+    </message>
+    <message>
         <source>'{}' is a type of the language; nothing else may have this name</source>
         <translation>„{}“ ist ein Typ der Sprache; nichts anderes darf so heißen</translation>
     </message>
