@@ -482,7 +482,9 @@ Executor::Flow Executor::conditional(const Statement& statement, std::size_t bra
                              here.condition->span);
         return Flow::Failed;
     }
-    const ExpressionId test = condition->elements[0];
+    // a function makes no events (section 8.5): a branch that does not count now may have no value
+    const ExpressionId test = hasOpenLoop_ && !isModel_ ? work_.pool.unary(Operation::NoEvent, condition->elements[0])
+                                                        : condition->elements[0];
     if (const auto known = work_.translator->knownNow(test))
         return *known != 0 ? execute(here.body, scope) : conditional(statement, branch + 1, scope);
     const Memory before = remember();
@@ -530,9 +532,9 @@ Executor::Flow Executor::repeat(const Statement& statement, const Scope& scope) 
         }
         const auto known = work_.translator->knownNow(condition->elements[0]);
         if (!known) {
-            work_.messages.error(phrase("a 'while' whose condition changes while the model runs is not supported"),
-                                 statement.keyword, phrase("use a for loop, or write the relation as equations"));
-            return Flow::Failed;
+            const Flow flow = repeatOpen(statement, scope);
+            broken_ = outside;
+            return flow;
         }
         if (*known == 0 || (broken_.valid() && work_.pool.isConstant(broken_, 1))) {
             broken_ = outside;

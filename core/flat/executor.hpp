@@ -77,6 +77,9 @@ private:
         std::vector<std::pair<std::string, Value>> locals;
         std::unordered_map<std::uint32_t, ExpressionId> variables;
     };
+    int turnsOf(const syntax::Expression& condition, const Scope& scope);
+    Flow repeatOpen(const Statement& statement, const Scope& scope);
+    Memory withoutValue(const Memory& first) const;
     Memory remember() const;
     void recall(Memory memory);
     void leave(Flow flow);
@@ -88,6 +91,7 @@ private:
     Flattening& work_;
     std::vector<std::shared_ptr<const syntax::Component>> made_;  // arguments that short classes give
     bool isInitial_{};
+    bool hasOpenLoop_{};                // of a function: how often it turns is known only when the model runs
     bool isModel_{};                    // an algorithm of a model: reinit and the like have a meaning
     ExpressionId broken_, returned_;    // when the loop, the function was left before; invalid: never
     std::vector<ExpressionId> guards_;  // conditions of the branches under way

@@ -86,9 +86,15 @@ std::optional<Value> Translator::chosenFrom(const Value& array, const std::vecto
         const auto index = translate(subscripts[d], scope);
         ends_.pop_back();
         if (!index || !index->isScalar() || index->type != FlatType::Integer) return std::nullopt;
-        if (constantNumber(index->elements[0], true)) return std::nullopt;  // known, and outside
         const auto extent = static_cast<std::size_t>(array.dimensions[d]);
         std::vector<ExpressionId> next;
+        if (const auto known = constantNumber(index->elements[0], true)) {
+            if (!(*known >= 1 && *known <= array.dimensions[d])) return std::nullopt;
+            for (std::size_t block = 0; block < elements.size(); block += extent)
+                next.push_back(elements[block + static_cast<std::size_t>(*known) - 1]);
+            elements = std::move(next);
+            continue;
+        }
         const ExpressionId none = work_.pool.constant(std::numeric_limits<double>::quiet_NaN());
         work_.model.events.subscripts.push_back({index->elements[0], array.dimensions[d], subscripts[d].span});
         for (std::size_t block = 0; block < elements.size(); block += extent) {

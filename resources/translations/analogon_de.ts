@@ -7982,10 +7982,6 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>„{}“ ist {} und kann nicht {} sein</translation>
     </message>
     <message>
-        <source>the String '{}' must be a parameter or a constant</source>
-        <translation>der String „{}“ muss ein Parameter oder eine Konstante sein</translation>
-    </message>
-    <message>
         <source>the constant '{}' has no value</source>
         <translation>die Konstante „{}“ hat keinen Wert</translation>
     </message>
@@ -9340,10 +9336,6 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>'break' and 'return' need a condition that is known before the simulation</source>
         <translation>„break“ und „return“ brauchen eine Bedingung, die vor der Simulation bekannt ist</translation>
-    </message>
-    <message>
-        <source>a 'while' whose condition changes while the model runs is not supported</source>
-        <translation>ein „while“, dessen Bedingung sich während des Laufs ändert, wird nicht unterstützt</translation>
     </message>
     <message>
         <source>use a for loop, or write the relation as equations</source>

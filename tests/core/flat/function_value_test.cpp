@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "tests/core/flat/flat_support.hpp"
 
 namespace analogon {
@@ -33,6 +35,39 @@ TEST(FunctionValues, AScalarFunctionOfAnArrayIsCalledForEachElement) {
     EXPECT_THAT(faultsOf("function f input Real x; output Real y, z; algorithm y := x; z := x; end f; "
                          "model M Real x[2] = f({1, 2}); end M;"),
                 Contains(HasSubstr("'f' has several outputs and cannot be called for each element of an array")));
+}
+
+/// The one equation of the model at this time.
+double atTime(const FlatModel& m, double time) {
+    return m.pool->evaluate(m.equations.at(0).right, [&](const ExpressionNode&) { return time; });
+}
+
+TEST(OpenLoops, TakeAsManyTurnsAsTheirConditionAllows) {
+    const FlatModel m = flatOf(R"(
+        function rows input Real table[:, 2]; input Real u; output Real y; protected Integer i;
+        algorithm
+          i := 1;
+          while i < size(table, 1) and u >= table[i, 1] loop i := i + 1; end while;
+          y := table[i, 2];
+        end rows;
+        model M Real y = rows([0, 10; 1, 20; 2, 30], time); end M;)");
+    EXPECT_EQ(atTime(m, -1), 10);
+    EXPECT_EQ(atTime(m, 0.5), 20);
+    EXPECT_EQ(atTime(m, 1.5), 30);
+    EXPECT_EQ(atTime(m, 9), 30);
+}
+
+TEST(OpenLoops, HaveNoValueWhereTheyWouldGoOn) {
+    const FlatModel m = flatOf(R"(
+        function count input Real u; output Real y;
+        algorithm y := 0; while y < u loop y := y + 1; if y > 20 then break; end if; end while;
+        end count;
+        function climb input Real u; output Real y; algorithm y := 0; while y < u loop y := y + 1; end while; end climb;
+        model M Real y = if time < 50 then count(time) else climb(time); end M;)");
+    EXPECT_EQ(atTime(m, 2.5), 3);
+    EXPECT_EQ(atTime(m, 40), 21);
+    EXPECT_EQ(atTime(m, 60.5), 61);
+    EXPECT_TRUE(std::isnan(atTime(m, 1000)));
 }
 
 }  // namespace
