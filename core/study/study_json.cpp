@@ -63,7 +63,9 @@ public:
         readExperiments(root);
         readParameters(root);
         readLibrary(root);
-        keepUnknown(root, {"format", "class", "experiments", "parameters", "library"}, phrase("a study"), extra_);
+        keepUnknown(root, {"format", "class", "experiments", "parameters", "library", "plots"}, phrase("a study"),
+                    extra_);
+        if (const Node plots = root.member("plots")) extra_["plots"] = *plots.value;  // the window's own
         study_.extraJson = extra_.empty() ? std::string() : extra_.dump();
         study_.json = places_.source();
         if (!faults_.empty()) return first(std::move(faults_));

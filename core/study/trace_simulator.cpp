@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/study/fit_traces.hpp"
+
 namespace analogon {
 
 namespace {
@@ -27,6 +29,14 @@ SimulatedExperiment tracesOf(const FitExperiment& experiment, const Trajectory& 
 }
 
 }  // namespace
+
+SimulatedTraces tracesOf(const FitProblem& problem, const std::vector<Trajectory>& trajectories) {
+    SimulatedTraces traces;
+    for (std::size_t e = 0; e < problem.experiments.size(); ++e)
+        traces.experiments.push_back(tracesOf(problem.experiments[e], trajectories[e]));
+    traces.errorPercent = meanOf(traces.experiments, &SimulatedExperiment::errorPercent);
+    return traces;
+}
 
 Outcome<TraceSimulator> TraceSimulator::make(const Study& study, const RunOptions& options) {
     Outcome<EstimationTask> task = taskOf(study, options);
@@ -53,11 +63,7 @@ std::optional<SimulatedTraces> TraceSimulator::at(const std::vector<Progress::Va
 
     const Linearisation line = linearise(problem_, point, false, {}, options_, progress);
     if (!line.ok) return std::nullopt;
-    SimulatedTraces traces;
-    for (std::size_t e = 0; e < problem_.experiments.size(); ++e)
-        traces.experiments.push_back(tracesOf(problem_.experiments[e], line.trajectories[e]));
-    traces.errorPercent = meanOf(traces.experiments, &SimulatedExperiment::errorPercent);
-    return traces;
+    return tracesOf(problem_, line.trajectories);
 }
 
 }  // namespace analogon

@@ -3450,6 +3450,14 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <source>Compare</source>
         <translation>Vergleichen</translation>
     </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
 </context>
 <context>
     <name>MainWindowFiles</name>
@@ -3926,8 +3934,8 @@ Relativer Standardfehler %1 %</translation>
         <translation>bisher bestes</translation>
     </message>
     <message>
-        <source>with this effect</source>
-        <translation>mit diesem Effekt</translation>
+        <source>tried</source>
+        <translation>versucht</translation>
     </message>
     <message>
         <source>There is nothing to fit yet: check parameters in the list.</source>
@@ -11325,6 +11333,82 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <source>the study's class {} is in none of its files</source>
         <translation>die Klasse {} der Studie steht in keiner ihrer Dateien</translation>
     </message>
+    <message>
+        <source>a formula of signals cannot hold this</source>
+        <translation>das kann in einer Formel von Signalen nicht stehen</translation>
+    </message>
+    <message>
+        <source>use names of signals, numbers, + - * / ^, abs, sqrt, exp, log, log10, sin, cos, tan, min, max, der and integral</source>
+        <translation>Namen von Signalen, Zahlen, + - * / ^, abs, sqrt, exp, log, log10, sin, cos, tan, min, max, der und integral verwenden</translation>
+    </message>
+    <message>
+        <source>there is no signal {}</source>
+        <translation>es gibt kein Signal {}</translation>
+    </message>
+    <message>
+        <source>the unit {} of {} is not known</source>
+        <translation>die Einheit {} von {} ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the units {} and {} do not agree</source>
+        <translation>die Einheiten {} und {} passen nicht zusammen</translation>
+    </message>
+    <message>
+        <source>the power of a quantity with a unit must be a number</source>
+        <translation>der Exponent einer Größe mit Einheit muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>a pure number is needed, this is in {}</source>
+        <translation>hier muss eine reine Zahl stehen, dies ist in {}</translation>
+    </message>
+    <message>
+        <source>a spectrum needs at least {} samples, half of which may be missing; here are {} of {}</source>
+        <translation>ein Spektrum braucht mindestens {} Abtastwerte, von denen die Hälfte fehlen darf; hier sind es {} von {}</translation>
+    </message>
+    <message>
+        <source>a coherence needs at least two segments of {} samples; there are {}</source>
+        <translation>eine Kohärenz braucht mindestens zwei Abschnitte von {} Abtastwerten; es gibt {}</translation>
+    </message>
+    <message>
+        <source>there is no number to count</source>
+        <translation>es gibt keine Zahl, die gezählt werden könnte</translation>
+    </message>
+    <message>
+        <source>the model has no variable {}</source>
+        <translation>das Modell hat keine Variable {}</translation>
+    </message>
+    <message>
+        <source>take it out of the plot, or choose another one</source>
+        <translation>sie aus dem Diagramm nehmen oder eine andere wählen</translation>
+    </message>
+    <message>
+        <source>the study has no experiment {}</source>
+        <translation>die Studie hat kein Experiment {}</translation>
+    </message>
+    <message>
+        <source>the simulation of experiment "{}" stopped at t = {:.6g} s: {}</source>
+        <translation>die Simulation des Experiments „{}“ blieb bei t = {:.6g} s stehen: {}</translation>
+    </message>
+    <message>
+        <source>the file of {} was not read</source>
+        <translation>die Datei von {} wurde nicht gelesen</translation>
+    </message>
+    <message>
+        <source>{} was not read from its file</source>
+        <translation>{} wurde nicht aus der Datei gelesen</translation>
+    </message>
+    <message>
+        <source>Map it to an input or an output of the model.</source>
+        <translation>Einem Eingang oder Ausgang des Modells zuordnen.</translation>
+    </message>
+    <message>
+        <source>the formula uses no signal</source>
+        <translation>die Formel benutzt kein Signal</translation>
+    </message>
+    <message>
+        <source>the model has no parameter {} that may change</source>
+        <translation>das Modell hat keinen Parameter {}, der sich ändern darf</translation>
+    </message>
 </context>
 <context>
     <name>Qt</name>
@@ -11739,6 +11823,179 @@ Bitte den Namen prüfen.</translation>
     <message>
         <source>%1 · %2 samples, numbered by the lines of the file</source>
         <translation>%1 · %2 Abtastwerte, nummeriert nach den Zeilen der Datei</translation>
+    </message>
+</context>
+<context>
+    <name>SignalList</name>
+    <message>
+        <source>measured output %1</source>
+        <translation>gemessener Ausgang %1</translation>
+    </message>
+    <message>
+        <source>input %1</source>
+        <translation>Eingang %1</translation>
+    </message>
+    <message>
+        <source>not used by the model</source>
+        <translation>vom Modell nicht benutzt</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Formulas</source>
+        <translation>Formeln</translation>
+    </message>
+    <message>
+        <source>worked out from other signals</source>
+        <translation>aus anderen Signalen berechnet</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Residuen</translation>
+    </message>
+    <message>
+        <source>measured less simulated, %1</source>
+        <translation>gemessen minus simuliert, %1</translation>
+    </message>
+</context>
+<context>
+    <name>SignalModel</name>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+</context>
+<context>
+    <name>SignalBrowser</name>
+    <message>
+        <source>Search name, unit, component, recording</source>
+        <translation>Name, Einheit, Komponente, Aufzeichnung suchen</translation>
+    </message>
+    <message>
+        <source>Variables of the model are simulated over this recording</source>
+        <translation>Variablen des Modells werden über dieser Aufzeichnung simuliert</translation>
+    </message>
+    <message>
+        <source>Nothing is called so.</source>
+        <translation>Nichts heißt so.</translation>
+    </message>
+    <message>
+        <source>Plot</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Show the selected signals on one axis of the plots (Enter)</source>
+        <translation>Die gewählten Signale auf einer Achse der Diagramme zeigen (Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>Formula, such as motor.v*motor.i</source>
+        <translation>Formel, etwa motor.v*motor.i</translation>
+    </message>
+    <message>
+        <source>A signal worked out from others, with + - * / ^, abs, sqrt, exp, log, sin, cos, min, max, der and integral; a name with spaces stands in 'single quotes'. Units follow.</source>
+        <translation>Ein Signal, das aus anderen berechnet wird, mit + - * / ^, abs, sqrt, exp, log, sin, cos, min, max, der und integral; ein Name mit Leerzeichen steht in 'einfachen Anführungszeichen'. Die Einheiten ergeben sich.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>%1 signals</source>
+        <translation>%1 Signale</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Add formula %1</source>
+        <translation>Formel %1 hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>SignalStrip</name>
+    <message>
+        <source>Move this axis up (Alt+Up)</source>
+        <translation>Diese Achse nach oben (Alt+Pfeil auf)</translation>
+    </message>
+    <message>
+        <source>Move this axis down (Alt+Down)</source>
+        <translation>Diese Achse nach unten (Alt+Pfeil ab)</translation>
+    </message>
+    <message>
+        <source>Remove this axis (Del)</source>
+        <translation>Diese Achse entfernen (Entf)</translation>
+    </message>
+    <message>
+        <source>on its way …</source>
+        <translation>wird geholt …</translation>
+    </message>
+    <message>
+        <source>Δ %1, mean %2, rms %3</source>
+        <translation>Δ %1, Mittel %2, Effektivwert %3</translation>
+    </message>
+    <message>
+        <source>residual of %1</source>
+        <translation>Residuum von %1</translation>
+    </message>
+</context>
+<context>
+    <name>SignalValues</name>
+    <message>
+        <source>Nothing is simulated of this output.</source>
+        <translation>Von diesem Ausgang ist nichts simuliert.</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>Simulating %1</source>
+        <translation>%1 wird simuliert</translation>
+    </message>
+</context>
+<context>
+    <name>PlotArea</name>
+    <message>
+        <source>Drag signals here, or press Enter on them in the list of signals. Several on one axis: choose them together, or drag them onto it.</source>
+        <translation>Signale hierher ziehen oder in der Liste der Signale die Eingabetaste drücken. Mehrere auf einer Achse: zusammen wählen oder auf sie ziehen.</translation>
+    </message>
+    <message>
+        <source>Plot %1</source>
+        <translation>%1 zeichnen</translation>
+    </message>
+    <message>
+        <source>Take %1 out of the plots</source>
+        <translation>%1 aus den Diagrammen nehmen</translation>
+    </message>
+    <message>
+        <source>Move an axis of the plots</source>
+        <translation>Eine Achse der Diagramme verschieben</translation>
+    </message>
+    <message>
+        <source>Remove an axis of the plots</source>
+        <translation>Eine Achse der Diagramme entfernen</translation>
+    </message>
+    <message>
+        <source>Between the cursors: %1 s to %2 s, %3 s</source>
+        <translation>Zwischen den Marken: %1 s bis %2 s, %3 s</translation>
+    </message>
+</context>
+<context>
+    <name>Knob</name>
+    <message>
+        <source>Drag: the traces show what the parameter does. Arrows step; so does the wheel once the slider has the focus.</source>
+        <translation>Ziehen: die Kurven zeigen, was der Parameter bewirkt. Pfeile gehen in Schritten, ebenso das Mausrad, sobald der Regler den Fokus hat.</translation>
+    </message>
+    <message>
+        <source>Simulating</source>
+        <translation>Simulation</translation>
     </message>
 </context>
 </TS>

@@ -941,7 +941,7 @@ TEST_F(Panels, ShowsWhatAnEffectWouldBringWhileThePointerIsOnIt) {
     enter(0);
     EXPECT_FALSE(scene->pointedOut().empty());
     ASSERT_TRUE(QTest::qWaitFor([&] { return document().preview() != nullptr; }, 20000));
-    EXPECT_TRUE(legend().startsWith("with this effect")) << legend().toStdString();
+    EXPECT_TRUE(legend().startsWith("tried")) << legend().toStdString();
     TimePlot* residual = panel<PlotPanel>()->plots().front()->residual();
     EXPECT_EQ(residual->note(), list->topLevelItem(0)->text(0)) << "the name beside the caption, over no curve";
     QTest::qWait(20);

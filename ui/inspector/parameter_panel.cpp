@@ -14,6 +14,7 @@
 
 #include "ui/document/document.hpp"
 #include "ui/document/mention.hpp"
+#include "ui/inspector/knob.hpp"
 #include "ui/inspector/parameter_model.hpp"
 #include "ui/inspector/prior_text.hpp"
 #include "ui/style/number.hpp"
@@ -124,6 +125,7 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
       document_(document),
       model_(new ParameterModel(document, this)),
       table_(new QTableView(this)),
+      knob_(new Knob(document, this)),
       search_(new QLineEdit(this)),
       chip_(new QToolButton(this)),
       onlyFitted_(new QToolButton(this)),
@@ -189,6 +191,7 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
     layout->setSpacing(0);
     layout->addLayout(bar);
     layout->addLayout(pages_, 1);
+    layout->addWidget(knob_);
     layout->addWidget(note_);
     pages_->addWidget(table_);
     pages_->addWidget(empty_);
@@ -270,6 +273,7 @@ void ParameterPanel::updateNote() {
     const QModelIndex current = table_->currentIndex();
     const QString html = current.isValid() ? model_->noteOn(current.row()) : QString();
     note_->setText(html);
+    knob_->turn(current.isValid() ? current.data(ParameterModel::NameRole).toString().toStdString() : std::string());
     note_->setVisible(!html.isEmpty() && pages_->currentWidget() == table_);
 }
 

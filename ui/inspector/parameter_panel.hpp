@@ -11,6 +11,7 @@ class QToolButton;
 namespace analogon::ui {
 
 class Document;
+class Knob;
 class ParameterModel;
 struct Mention;
 
@@ -27,6 +28,8 @@ public:
     /// What is to be known of the marked one.
     QLabel* note() const { return note_; }
     QTableView* table() const { return table_; }
+    /// Turns the marked one.
+    Knob* knob() const { return knob_; }
     ParameterModel* model() const { return model_; }
 
 protected:
@@ -41,6 +44,7 @@ private:
     Document& document_;
     ParameterModel* model_;
     QTableView* table_;
+    Knob* knob_;
     QLineEdit* search_;
     QToolButton* chip_;  // the selected component; a click shows all again
     QToolButton* onlyFitted_;

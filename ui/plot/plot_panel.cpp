@@ -385,7 +385,7 @@ void PlotPanel::showLive() {
     const SimulatedTraces* live = document_.liveTraces();
     const Document::Preview* preview = live ? nullptr : document_.preview();
     if ((!live && !preview) || document_.comparedRuns()) return rebuild();
-    const QString word = live ? tr("best so far") : tr("with this effect");
+    const QString word = live ? tr("best so far") : tr("tried");
     for (const SimulatedExperiment& experiment : (live ? *live : preview->traces).experiments) {
         if (QString::fromStdString(experiment.name) != shown_) continue;
         for (const SimulatedTrace& trace : experiment.outputs)
