@@ -4,7 +4,7 @@
 # for them for ever where the program's own limit of memory is below that.
 build_packages=(
     build-essential cmake ninja-build pkg-config
-    qt6-base-dev libqt6opengl6-dev qt6-svg-dev libgl1-mesa-dev
+    qt6-base-dev libqt6opengl6-dev qt6-charts-dev qt6-svg-dev libgl1-mesa-dev
     libquazip1-qt6-dev libeigen3-dev libsundials-dev libsuitesparse-dev libnlopt-cxx-dev libceres-dev libmatio-dev
     nlohmann-json3-dev libfmt-dev libcli11-dev libboost-math-dev libudunits2-dev
     libasmjit-dev libblas-dev liblapack-dev

@@ -32,7 +32,8 @@ bool TextCommand::mergeWith(const QUndoCommand* other) {
 }
 
 StudySettings settingsOf(const Study& study) {
-    return {study.className, study.modelFile, study.models, study.parameters, study.experiments, study.tables};
+    return {study.className,   study.modelFile, study.models,   study.parameters,
+            study.experiments, study.tables,    study.extraJson};
 }
 
 StudyCommand::StudyCommand(Document& document, StudySettings settings, const QString& what)
@@ -41,6 +42,11 @@ StudyCommand::StudyCommand(Document& document, StudySettings settings, const QSt
 void StudyCommand::swap() {
     Study& study = *document_.study_;
     const bool isOtherModel = study.models != other_.models || study.className != other_.className;
+    const bool isOtherView = study.extraJson != other_.plots;
+    const bool isOnlyView = isOtherView && !isOtherModel && document_.isSameStudy(other_);
+    std::swap(study.extraJson, other_.plots);
+    if (isOtherView) Q_EMIT document_.plotsChanged();
+    if (isOnlyView) return;
     std::swap(study.className, other_.className);
     std::swap(study.modelFile, other_.modelFile);
     std::swap(study.models, other_.models);

@@ -34,6 +34,7 @@ struct StudySettings {
     std::map<std::string, StudyParameter> parameters;
     std::vector<StudyExperiment> experiments;
     std::map<std::string, std::shared_ptr<const Table>> tables;
+    std::string plots{};  // Study::extraJson: among it what the plots of signals hold (ui/signals)
 };
 StudySettings settingsOf(const Study& study);
 

@@ -40,7 +40,9 @@ bool isSame(const StudyExperiment& a, const StudyExperiment& b) {
            isSame(a.initial, b.initial);
 }
 
-bool isSameModel(const Study& a, const Study& b) {
+/// Of studies, and of settings of them.
+template <class A, class B>
+bool isSameModel(const A& a, const B& b) {
     return a.models == b.models && a.className == b.className && isSame(a.parameters, b.parameters) &&
            std::equal(a.experiments.begin(), a.experiments.end(), b.experiments.begin(), b.experiments.end(),
                       [](const auto& x, const auto& y) { return isSame(x, y); });
@@ -198,6 +200,7 @@ void Document::adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory>
     Q_EMIT modelChanged();
     Q_EMIT parametersChanged();
     Q_EMIT experimentsChanged();
+    Q_EMIT plotsChanged();
     Q_EMIT resultChanged();
     Q_EMIT modifiedChanged();
 }
@@ -221,6 +224,16 @@ void Document::save(const QString& path) {
             }
             Q_EMIT saved(done.hasValue());
         });
+}
+
+bool Document::isSameStudy(const StudySettings& settings) const {
+    const auto readings = [](const auto& experiments) {  // of which a model knows nothing
+        std::string text;
+        for (const StudyExperiment& e : experiments) text += readText(e.read) + tableKey(e) + '\n';
+        return text;
+    };
+    return isSameModel(*study_, settings) && study_->modelFile == settings.modelFile &&
+           study_->tables == settings.tables && readings(study_->experiments) == readings(settings.experiments);
 }
 
 std::vector<PastRun> Document::pastRuns() const {
@@ -399,6 +412,7 @@ void Document::adoptProposed() {
 void Document::adopt(const Study& completed, const QString& what) {
     StudySettings settings = settingsOf(completed);
     settings.tables = study_->tables;
+    settings.plots = study_->extraJson;  // what one looks at stays
     applySettings(std::move(settings), what);
     Q_EMIT resultChanged();
 }
@@ -459,6 +473,7 @@ bool Document::canRun() const {
 void Document::restoreRun(const RunRecord& record) {
     StudySettings settings = settingsOf(record.result->completed);
     settings.tables.insert(study_->tables.begin(), study_->tables.end());
+    settings.plots = study_->extraJson;
     // A recording that was taken out of the study before it was saved is in no file any more.
     const std::size_t gone =
         std::erase_if(settings.experiments, [&](const auto& e) { return !fileTable(settings.tables, e); });

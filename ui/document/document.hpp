@@ -170,6 +170,7 @@ Q_SIGNALS:
     void factsChanged();
     void parametersChanged();  // the study's own settings of parameters
     void experimentsChanged();
+    void plotsChanged();  // what is said of plots of signals in the study
     void saved(bool isDone);
     void modifiedChanged();
     void resultChanged();
@@ -187,6 +188,8 @@ private:
                     const std::vector<PastRun>& history = {}, std::optional<Outcome<Library>> library = {});
     void adopt(const Study& completed, const QString& what);
     void settingsChanged() { ++revision_; }
+    /// But for what is shown of it.
+    bool isSameStudy(const StudySettings& settings) const;
     void readModel();  // library and diagram from the texts
     void takeLibrary(Outcome<Library> library);
     void readDiagram();

@@ -25,6 +25,8 @@ ModelFacts modelFacts(const Study& study) {
         const FlatVariable& v = flat->variables[i];
         if (v.causality == FlatCausality::Input) facts.inputs.push_back({v.name, flat->unitOf(v), v.description});
         if (v.causality == FlatCausality::Output) facts.outputs.push_back({v.name, flat->unitOf(v), v.description});
+        if (v.variability == FlatVariability::Continuous && v.type != FlatType::String)
+            facts.variables.push_back({v.name, flat->unitOf(v), v.description});
         const bool isListed =
             v.variability == FlatVariability::Parameter && v.type == FlatType::Real && !v.isFinal && !v.isProtected;
         if (!isListed) continue;

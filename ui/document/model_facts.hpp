@@ -31,6 +31,7 @@ std::string unitOf(const std::vector<SignalFact>& facts, const std::string& sign
 struct ModelFacts {
     std::vector<ParameterFact> parameters;
     std::vector<SignalFact> inputs, outputs;
+    std::vector<SignalFact> variables;  // every number that changes in time, inputs and outputs among them
     Diagnostics messages;
 };
 

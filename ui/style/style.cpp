@@ -18,6 +18,7 @@
 #include <QVBoxLayout>
 #include <QWidget>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 // Resources of a static library must be asked for; the macro wants the global namespace.
@@ -529,6 +530,18 @@ QColor beforeTrace(const QPalette& palette) {
 }
 QColor afterTrace(const QPalette& palette) {
     return isDark(palette) ? QColor(0x57, 0xa6, 0xf2) : QColor(0x14, 0x62, 0xb5);
+}
+
+/// The hues of Okabe and Ito, dark enough on white and light enough on black.
+QColor signalTrace(int index, const QPalette& palette) {
+    static const std::array<QColor, 8> light{QColor(0, 114, 178),  QColor(213, 94, 0),  QColor(0, 128, 96),
+                                             QColor(170, 80, 140), QColor(150, 105, 0), QColor(60, 150, 210),
+                                             QColor(90, 90, 90),   QColor(120, 60, 190)};
+    static const std::array<QColor, 8> dark{QColor(86, 180, 233),  QColor(240, 140, 60), QColor(60, 200, 160),
+                                            QColor(225, 150, 200), QColor(230, 200, 80), QColor(130, 170, 255),
+                                            QColor(180, 180, 180), QColor(190, 150, 250)};
+    const auto at = static_cast<std::size_t>(index) % light.size();
+    return isDark(palette) ? dark[at] : light[at];
 }
 
 QColor onCanvas(const QColor& paper, const QPalette& palette) {

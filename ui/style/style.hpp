@@ -36,6 +36,8 @@ QColor fault(const QPalette& palette);
 QColor measuredTrace(const QPalette& palette);
 QColor beforeTrace(const QPalette& palette);
 QColor afterTrace(const QPalette& palette);
+/// Of a signal that is none of these three: colours told apart without red against green, in turn from 0 on.
+QColor signalTrace(int index, const QPalette& palette);
 
 /// A colour meant for white paper, as it must be drawn on this palette's canvas (same hue, turned lightness).
 QColor onCanvas(const QColor& paper, const QPalette& palette);

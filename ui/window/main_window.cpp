@@ -37,6 +37,8 @@
 #include "ui/measurement/values_page.hpp"
 #include "ui/messages/message_panel.hpp"
 #include "ui/plot/plot_panel.hpp"
+#include "ui/signals/plot_area.hpp"
+#include "ui/signals/signal_browser.hpp"
 #include "ui/style/style.hpp"
 #include "ui/text/text_view.hpp"
 #include "ui/window/breadcrumb.hpp"
@@ -51,7 +53,7 @@ namespace analogon::ui {
 
 namespace {
 
-constexpr int layoutVersion = 3;  // raised when docks are added, so that an old layout is not restored
+constexpr int layoutVersion = 4;  // raised when docks are added, so that an old layout is not restored
 
 /// Heading of a dock: a quiet line of text instead of the style's frame. Drags like the built-in one.
 class DockTitle : public QLabel {
@@ -150,6 +152,8 @@ void MainWindow::createPanels() {
     results_ = new ResultPanel(*document_);
     plots_ = new PlotPanel(*document_);
     messages_ = new MessagePanel(*document_);
+    signals_ = new SignalBrowser(*document_);
+    signalPlots_ = new PlotArea(*document_);
     import_ = new ImportPanel(*document_, this);
     import_->hide();
     values_ = new ValuesPage(*document_, this);
@@ -166,6 +170,13 @@ void MainWindow::createPanels() {
     runDock_ = addDock("runs", tr("Runs"), scrolling(runs_), Qt::RightDockWidgetArea);
     plotDock_ = addDock("traces", tr("Measured and simulated"), plots_, Qt::BottomDockWidgetArea);
     messageDock_ = addDock("messages", tr("Messages"), messages_, Qt::BottomDockWidgetArea);
+    signalDock_ = addDock("signals", tr("Signals"), signals_, Qt::LeftDockWidgetArea);
+    signalPlotDock_ = addDock("plots", tr("Plots"), signalPlots_, Qt::BottomDockWidgetArea);
+    connect(signals_, &SignalBrowser::wanted, this, [this](const std::vector<SignalRef>& references) {
+        signalPlots_->show(references);
+        signalPlotDock_->show();
+        signalPlotDock_->raise();
+    });
 }
 
 QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area) {
@@ -182,7 +193,8 @@ QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWid
 }
 
 QList<QDockWidget*> MainWindow::docks() const {
-    return {libraryDock_, measurementDock_, parameterDock_, resultDock_, runDock_, plotDock_, messageDock_};
+    return {libraryDock_, measurementDock_, parameterDock_, resultDock_,    runDock_,
+            plotDock_,    messageDock_,     signalDock_,    signalPlotDock_};
 }
 
 void MainWindow::updateDockTitles() {
@@ -589,6 +601,10 @@ void MainWindow::arrangeDocks() {
     join(parameterDock_, resultDock_);
     addDockWidget(Qt::BottomDockWidgetArea, plotDock_);
     addDockWidget(Qt::BottomDockWidgetArea, messageDock_);
+    addDockWidget(Qt::LeftDockWidgetArea, signalDock_);
+    tabifyDockWidget(libraryDock_, signalDock_);
+    addDockWidget(Qt::BottomDockWidgetArea, signalPlotDock_);
+    tabifyDockWidget(plotDock_, signalPlotDock_);
     tabifyDockWidget(plotDock_, messageDock_);
     plotDock_->raise();
     addDockWidget(Qt::RightDockWidgetArea, runDock_);

@@ -34,11 +34,13 @@ class LibraryPanel;
 class MeasurementPanel;
 class MessagePanel;
 class ParameterPanel;
+class PlotArea;
 class PlotPanel;
 class Recovery;
 class ResultPanel;
 class RunBar;
 class RunController;
+class SignalBrowser;
 class StartPage;
 class TextView;
 class ValuesPage;
@@ -159,6 +161,8 @@ private:
     ResultPanel* results_{};
     FitPanel* runs_{};
     PlotPanel* plots_{};
+    SignalBrowser* signals_{};
+    PlotArea* signalPlots_{};
     MessagePanel* messages_{};
     RunBar* runBar_{};
     QList<QDockWidget*> besideGuide_;  // what comes back when it is left
@@ -170,7 +174,7 @@ private:
     bool isCompact_{};  // as the docks were arranged
     bool isLayoutFresh_{true};
     QDockWidget *libraryDock_{}, *measurementDock_{}, *parameterDock_{}, *resultDock_{}, *runDock_{}, *plotDock_{},
-        *messageDock_{};
+        *messageDock_{}, *signalDock_{}, *signalPlotDock_{};
 
     QAction *newAction_{}, *generateAction_{}, *openAction_{}, *openFileAction_{}, *saveAction_{}, *saveAsAction_{},
         *importAction_{}, *reportAction_{}, *exportTracesAction_{}, *exportMf4Action_{}, *quitAction_{};

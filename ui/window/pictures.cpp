@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QScrollBar>
@@ -36,6 +37,9 @@
 #include "ui/measurement/question_card.hpp"
 #include "ui/measurement/values_page.hpp"
 #include "ui/plot/plot_panel.hpp"
+#include "ui/signals/plot_area.hpp"
+#include "ui/signals/signal_browser.hpp"
+#include "ui/signals/signal_strip.hpp"
 #include "ui/style/style.hpp"
 #include "ui/style/translator.hpp"
 #include "ui/text/text_view.hpp"
@@ -165,7 +169,8 @@ public:
         settle(2500);  // its pictures come a moment later
         take(window, "14-guide");
         return takeGroup(examples.front().path) && takeSmall(examples.front().path) &&
-               takeComposing(examples.front().path) && takeRunning(examples.back().path) && isWhole_;
+               takeComposing(examples.front().path) && takeRunning(examples.back().path) &&
+               takeSignals(examples.front().path) && isWhole_;
     }
 
 private:
@@ -269,6 +274,43 @@ private:
         window.findChild<ParameterPanel*>()->pointAt(QString::fromStdString(bounded));
         settle();
         take(window, "19-at-its-bound");
+        return true;
+    }
+    /// Signals of every kind, with two cursors.
+    bool takeSignals(const QString& example) {
+        MainWindow window;
+        if (!openIn(window, {1440, 900}, example)) return false;
+        Document& document = window.document();
+        if (!waitFor([&] { return !document.facts().variables.empty(); })) return false;
+        auto* plots = window.findChild<PlotArea*>();
+        auto* browser = window.findChild<SignalBrowser*>();
+        for (const char* dock : {"signals", "plots"}) window.findChild<QDockWidget*>(dock)->raise();
+        const StudyExperiment& first = document.study().experiments.front();
+        const QString recording = QString::fromStdString(first.name);
+        std::vector<SignalRef> shown;
+        for (const auto* mappings : {&first.outputs, &first.inputs})
+            for (const auto& [signal, mapping] : *mappings)
+                shown.push_back({SignalKind::Recorded, recording, QString::fromStdString(mapping.column)});
+        plots->show(shown);
+        plots->show(
+            {{SignalKind::Variable, recording, "element.solid.T"}, {SignalKind::Variable, recording, "heater.i"}});
+        browser->formulaField()->setText("heater.v*heater.i");
+        QMetaObject::invokeMethod(browser->formulaField(), "returnPressed");
+        const auto isThere = [](const SignalStrip* strip) {
+            const auto& lines = strip->chart()->lines();
+            return std::all_of(lines.begin(), lines.end(), [](const ChartLine& line) { return line.data != nullptr; });
+        };
+        waitFor([&] { return std::all_of(plots->strips().begin(), plots->strips().end(), isThere); }, 20000);
+        const auto [from, to] = plots->timeRange();
+        for (const double part : {0.2, 0.6})
+            Q_EMIT plots->strips().front()->chart()->markWanted(from + part * (to - from));
+        browser->searchField()->setText("heater");
+        settle(300);
+        take(window, "20-signals");
+        window.resize(1024, 768);
+        settle();
+        take(window, "20-signals-1024");
+        document.undoStack().setClean();
         return true;
     }
     /// A text that can be read in two ways.
