@@ -11944,6 +11944,30 @@ Bitte den Namen prüfen.</translation>
         <source>residual of %1</source>
         <translation>Residuum von %1</translation>
     </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>x-y</source>
+        <translation>x-y</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Coherence</source>
+        <translation>Kohärenz</translation>
+    </message>
+    <message>
+        <source>Histogram</source>
+        <translation>Histogramm</translation>
+    </message>
+    <message>
+        <source>Over the time, the others against the first signal, power spectral density (Welch), coherence with the first signal, or how often each value comes; of the part that is visible</source>
+        <translation>Über der Zeit, die anderen über dem ersten Signal, Leistungsdichte (Welch), Kohärenz mit dem ersten Signal, oder wie oft jeder Wert vorkommt; des sichtbaren Teils</translation>
+    </message>
 </context>
 <context>
     <name>SignalValues</name>
@@ -11986,6 +12010,10 @@ Bitte den Namen prüfen.</translation>
         <source>Between the cursors: %1 s to %2 s, %3 s</source>
         <translation>Zwischen den Marken: %1 s bis %2 s, %3 s</translation>
     </message>
+    <message>
+        <source>Change the view of an axis</source>
+        <translation>Die Ansicht einer Achse ändern</translation>
+    </message>
 </context>
 <context>
     <name>Knob</name>
@@ -11996,6 +12024,37 @@ Bitte den Namen prüfen.</translation>
     <message>
         <source>Simulating</source>
         <translation>Simulation</translation>
+    </message>
+</context>
+<context>
+    <name>Figure</name>
+    <message>
+        <source>Frequency [Hz]</source>
+        <translation>Frequenz [Hz]</translation>
+    </message>
+    <message>
+        <source>Power spectral density [unit²/Hz]</source>
+        <translation>Leistungsdichte [Einheit²/Hz]</translation>
+    </message>
+    <message>
+        <source>Coherence with %1</source>
+        <translation>Kohärenz mit %1</translation>
+    </message>
+    <message>
+        <source>Value, each in its own unit</source>
+        <translation>Wert, jeder in seiner Einheit</translation>
+    </message>
+    <message>
+        <source>Share of the samples</source>
+        <translation>Anteil der Abtastwerte</translation>
+    </message>
+    <message>
+        <source>This view needs two signals on the axis.</source>
+        <translation>Diese Ansicht braucht zwei Signale auf der Achse.</translation>
+    </message>
+    <message>
+        <source>Nothing to show yet.</source>
+        <translation>Noch nichts zu zeigen.</translation>
     </message>
 </context>
 </TS>

@@ -1,4 +1,5 @@
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QLabel>
@@ -8,12 +9,14 @@
 #include <QTreeView>
 #include <QWheelEvent>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ctime>
 
 #include "core/study/recorded.hpp"
 #include "tests/ui/panels_fixture.hpp"
 #include "ui/plot/time_plot.hpp"
+#include "ui/signals/figure_chart.hpp"
 #include "ui/signals/plot_area.hpp"
 #include "ui/signals/signal_browser.hpp"
 #include "ui/signals/signal_strip.hpp"
@@ -291,6 +294,34 @@ TEST_F(Signals, AreWorkedOutByFormulasWithTheirUnits) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return isShown(0); }, 20000));
     EXPECT_EQ(plots().strips()[0]->chart()->lines()[0].data->unit, "W");
     EXPECT_EQ(plots().values().simulations(), 1) << "what it uses is simulated together, once";
+}
+
+TEST_F(Signals, AreSeenAgainstEachOtherAndByTheirFrequenciesAndValues) {
+    openAndWait();
+    plots().show(
+        {{SignalKind::Recorded, recording(), QString::fromStdString(experiment().outputs.begin()->second.column)},
+         {SignalKind::Recorded, recording(), QString::fromStdString(experiment().inputs.begin()->second.column)}});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isShown(0) && isShown(0, 1); }, 5000));
+    SignalStrip& strip = *plots().strips()[0];
+    const auto& lines = strip.chart()->lines();
+    const std::array<std::size_t, 5> curves{0, 1, 2, 1, 2};
+    QString before;
+    for (int view = 1; view < 5; ++view) {
+        strip.viewBox()->setFocus();
+        QTest::keyClick(strip.viewBox(), Qt::Key_Down);
+        ASSERT_EQ(static_cast<int>(plots().layout().axes[0].view), view);
+        ASSERT_TRUE(QTest::qWaitFor(
+            [&] { return !strip.figure()->figure().yLabel.isEmpty() && strip.figure()->figure().yLabel != before; },
+            5000));
+        before = strip.figure()->figure().yLabel;
+        EXPECT_EQ(strip.figure()->figure().curves.size(), curves[static_cast<std::size_t>(view)]) << view;
+        EXPECT_GT(strip.figure()->figure().curves[0].points.size(), 5);
+    }
+    EXPECT_EQ(strip.figure()->figure().curves[1].colour, lines[1].colour);
+    document().undoStack().undo();
+    EXPECT_EQ(plots().layout().axes[0].view, PlotView::Coherence);
+    Q_EMIT strip.removeWanted(1);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !strip.figure()->figure().fault.isEmpty(); }, 5000)) << "it needs two";
 }
 
 TEST_F(Signals, AreShownAgainWhenTheStudyIsOpenedAgain) {

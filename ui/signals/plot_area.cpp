@@ -202,6 +202,11 @@ void PlotArea::makeStrips() {
                 [this, strip](const std::vector<SignalRef>& references) { addTo(axisOf(strip), references); });
         connect(strip, &SignalStrip::removeWanted, this, [this, strip](int trace) { remove(axisOf(strip), trace); });
         connect(strip, &SignalStrip::moveWanted, this, [this, strip](int by) { move(axisOf(strip), by); });
+        connect(strip, &SignalStrip::viewWanted, this, [this, strip](PlotView view) {
+            PlotLayout layout = layout_;
+            layout.axes[static_cast<std::size_t>(axisOf(strip))].view = view;
+            change(std::move(layout), tr("Change the view of an axis"));
+        });
         connect(strip, &SignalStrip::closeWanted, this, [this, strip] {
             PlotLayout layout = layout_;
             layout.axes.erase(layout.axes.begin() + axisOf(strip));
@@ -209,10 +214,13 @@ void PlotArea::makeStrips() {
         });
         column_->addWidget(strip, 1);
         strip->setMarks(marks_);
-        chart->setTimeRange(from_, to_);
+        strip->setTimeRange(from_, to_);
         strips_.push_back(strip);
     }
-    for (std::size_t i = 0; i < strips_.size(); ++i) strips_[i]->setTimeLabels(i == 0, i + 1 == strips_.size());
+    for (std::size_t i = 0; i < strips_.size(); ++i) {
+        strips_[i]->setTimeLabels(i == 0, i + 1 == strips_.size());
+        strips_[i]->setView(layout_.axes[i].view);
+    }
 }
 
 void PlotArea::refresh() {
@@ -249,7 +257,7 @@ void PlotArea::setTimeRange(double from, double to) {
     const double span = std::clamp(to - from, whole * 1e-6, whole);
     from_ = std::clamp(from, first_, last_ - span);
     to_ = from_ + span;
-    for (SignalStrip* strip : strips_) strip->chart()->setTimeRange(from_, to_);
+    for (SignalStrip* strip : strips_) strip->setTimeRange(from_, to_);
 }
 
 void PlotArea::pointAt(std::optional<double> time) {

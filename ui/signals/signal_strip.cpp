@@ -1,15 +1,19 @@
 #include "ui/signals/signal_strip.hpp"
 
+#include <QComboBox>
 #include <QDragEnterEvent>
 #include <QLabel>
 #include <QMimeData>
 #include <QPainter>
+#include <QSignalBlocker>
+#include <QStackedLayout>
 #include <QTextDocumentFragment>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "core/signal/formula.hpp"
 #include "core/signal/range_figures.hpp"
+#include "ui/signals/figure_chart.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
@@ -32,7 +36,8 @@ QString breakable(const QString& name) { return name.toHtmlEscaped().replace("."
 
 }  // namespace
 
-SignalStrip::SignalStrip(QWidget* parent) : QWidget(parent), chart_(new SignalChart), legend_(new QLabel) {
+SignalStrip::SignalStrip(QWidget* parent)
+    : QWidget(parent), chart_(new SignalChart), figure_(new FigureChart), views_(new QComboBox), legend_(new QLabel) {
     setAcceptDrops(true);
     legend_->setWordWrap(true);
     legend_->setTextFormat(Qt::RichText);
@@ -50,15 +55,26 @@ SignalStrip::SignalStrip(QWidget* parent) : QWidget(parent), chart_(new SignalCh
     up_->setObjectName("strip-up");
     down_->setObjectName("strip-down");
     close_->setObjectName("strip-close");
+    views_->addItems({tr("Time"), tr("x-y"), tr("Spectrum"), tr("Coherence"), tr("Histogram")});
+    views_->setToolTip(
+        tr("Over the time, the others against the first signal, power spectral density (Welch), coherence "
+           "with the first signal, or how often each value comes; of the part that is visible"));
+    views_->setFocusPolicy(Qt::StrongFocus);
+    views_->installEventFilter(this);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, style::unit, 0, 0);
     column->setSpacing(0);
     auto* head = new QHBoxLayout;
     head->setContentsMargins(style::margin, 0, style::unit, 0);
     head->addWidget(legend_, 1);
+    head->addWidget(views_, 0, Qt::AlignTop);
     for (QToolButton* b : {up_, down_, close_}) head->addWidget(b, 0, Qt::AlignTop);
     column->addLayout(head);
-    column->addWidget(chart_, 1);
+    pages_ = new QStackedLayout;
+    pages_->addWidget(chart_);
+    pages_->addWidget(figure_);
+    column->addLayout(pages_, 1);
+    connect(views_, &QComboBox::activated, this, [this](int view) { Q_EMIT viewWanted(static_cast<PlotView>(view)); });
     connect(up_, &QToolButton::clicked, this, [this] { Q_EMIT moveWanted(-1); });
     connect(down_, &QToolButton::clicked, this, [this] { Q_EMIT moveWanted(1); });
     connect(close_, &QToolButton::clicked, this, &SignalStrip::closeWanted);
@@ -69,6 +85,34 @@ void SignalStrip::setLines(std::vector<ChartLine> lines, bool hasRecordings) {
     hasRecordings_ = hasRecordings;
     chart_->setLines(std::move(lines));
     writeLegend();
+    showFigure();
+}
+
+void SignalStrip::setView(PlotView view) {
+    view_ = view;
+    const QSignalBlocker blocker(views_);
+    views_->setCurrentIndex(static_cast<int>(view));
+    pages_->setCurrentWidget(view == PlotView::Time ? static_cast<QWidget*>(chart_) : figure_);
+    showFigure();
+}
+
+void SignalStrip::setTimeRange(double from, double to) {
+    from_ = from;
+    to_ = to;
+    chart_->setTimeRange(from, to);
+    showFigure();
+}
+
+void SignalStrip::showFigure() {
+    if (view_ != PlotView::Time) figure_->want(view_, chart_->lines(), from_, to_);
+}
+
+/// A wheel turns nothing that has no focus.
+bool SignalStrip::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::Wheel || watched != views_ || views_->hasFocus())
+        return QWidget::eventFilter(watched, event);
+    event->ignore();
+    return true;
 }
 
 void SignalStrip::setTimeLabels(bool isFirst, bool isLast) {
