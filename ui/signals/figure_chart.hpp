@@ -18,6 +18,7 @@ public:
 
     void want(PlotView view, std::vector<ChartLine> lines, double from, double to);
     const Figure& figure() const { return figure_; }
+    QSize sizeHint() const override { return {300, 140}; }  // not that of its scene: axes share the room there is
 
 protected:
     void changeEvent(QEvent* event) override;

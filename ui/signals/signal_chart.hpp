@@ -35,6 +35,7 @@ class SignalChart : public QChartView {
 
 public:
     explicit SignalChart(QWidget* parent = nullptr);
+    QSize sizeHint() const override { return {300, 140}; }  // not that of its scene: axes share the room there is
 
     void setLines(std::vector<ChartLine> lines);
     const std::vector<ChartLine>& lines() const { return lines_; }
