@@ -12,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/analogon-cli/campaign.hpp"
 #include "app/analogon-cli/channels.hpp"
 #include "app/analogon-cli/check.hpp"
 #include "app/analogon-cli/convert.hpp"
@@ -62,6 +63,12 @@ const char* name(Command command) {
             return "channels";
         case Command::Pack:
             return "pack";
+        case Command::Campaign:
+            return "campaign";
+        case Command::CampaignWorker:
+            return "campaign-worker";
+        case Command::CampaignTask:
+            return "campaign-task";
         case Command::Unpack:
             break;
     }
@@ -229,6 +236,8 @@ int execute(const Options& options, Interrupt& interrupt) {
     }
     if (isRun(Command::Simulate) || isRun(Command::Fit) || isRun(Command::Discover))
         return runStudy(options, interrupt);
+    if (isRun(Command::Campaign)) return campaign(options, interrupt);
+    if (isRun(Command::CampaignWorker)) return campaignWorker(options);
     const StopScope scope(interrupt.token());
     VisibleStream out(std::cout);
     switch (options.command) {
@@ -332,6 +341,32 @@ void addFit(CLI::App& app, Options& options) {
         ->option_text("NAME");
 }
 
+void addCampaign(CLI::App& app, Options& options) {
+    static const std::map<std::string, ProgressKind> kinds{
+        {"bar", ProgressKind::Bar}, {"json", ProgressKind::Json}, {"none", ProgressKind::None}};
+    app.add_option("campaign", options.input, "What is done for which units: campaign.json")
+        ->required()
+        ->type_name("CAMPAIGN.json");
+    app.add_option("--out", options.out, "Receives results.csv, campaign.html, campaign.json and units/")
+        ->required()
+        ->type_name("DIR");
+    app.add_option("--jobs", options.jobs, "How many units at once (default: as many as the machine has processors)")
+        ->check(CLI::PositiveNumber.description(""))
+        ->type_name("N");
+    app.add_flag("--retry", options.retry, "Work once more on units that failed before");
+    app.add_option("--progress", options.progress,
+                   "On standard error: bar, json or none (default: a bar on a terminal)")
+        ->transform(CLI::CheckedTransformer(kinds, CLI::ignore_case).description("bar|json|none"))
+        ->option_text("KIND");
+}
+
+/// What the program calls itself with.
+void addCampaignWorker(CLI::App& app, Options& options) {
+    app.group("");
+    app.add_option("campaign", options.input)->required();
+    app.add_option("--out", options.out)->required();
+}
+
 /// Every command with its options; the callback of the one that was given sets options.command.
 void describe(CLI::App& app, Options& options) {
     const auto command = [&](Command which, const char* text) {
@@ -378,6 +413,9 @@ void describe(CLI::App& app, Options& options) {
         ->type_name("N");
     discover->add_option("--trace", options.traceFile, "Receives every decision of the search, one JSON object a line")
         ->type_name("FILE");
+
+    addCampaign(*command(Command::Campaign, "The same fit or discovery for many units"), options);
+    addCampaignWorker(*command(Command::CampaignWorker, ""), options);
 
     CLI::App* exporting =
         command(Command::Export, "The model as an FMU or as stand-alone Modelica, its traces, its parameters");

@@ -11,7 +11,20 @@ namespace analogon::cli {
 /// The exit statuses of the program.
 enum ExitStatus { done = 0, inputAtFault = 2, numericsFailed = 3, interrupted = 130 };
 
-enum class Command { Check, Simulate, Fit, Discover, Export, Generate, Channels, Pack, Unpack };
+enum class Command {
+    Check,
+    Simulate,
+    Fit,
+    Discover,
+    Export,
+    Generate,
+    Channels,
+    Pack,
+    Unpack,
+    Campaign,
+    CampaignWorker,
+    CampaignTask
+};
 enum class PrintKind { None, Flat, Structure, Program };
 enum class ProgressKind { Automatic, Bar, Json, None };
 
@@ -36,6 +49,8 @@ struct Options {
     std::vector<std::string> domains;     // generate
     std::filesystem::path fmuFile, modelicaFile, csvFile, mf4File, parameterFile;  // export
     bool asJson{}, withValues{};                                                   // channels
+    int jobs{0};                                                                   // campaign; 0: all processors
+    bool retry{};                                                                  // campaign: failed units, too
     std::vector<std::filesystem::path> data;  // generate: one, or several of which the last validates
 };
 

@@ -44,13 +44,14 @@ Outcome<Done> putFile(const fs::path& file, const fs::path& shown, const std::st
 
 /// All results in a directory of our own.
 Outcome<Done> fill(const fs::path& fresh, const fs::path& shown, const RunResult& result, const std::string& command,
-                   Traces kept) {
+                   Traces kept, const std::string& unit) {
     const ReportContext context{result.completed.name, command, version};
     const std::pair<const char*, std::string> files[] = {
         {"report.json", reportJson(result.finding, context)},
         {"report.html", reportHtml(result.finding, context)},
         {"traces.csv", leavesTracesOut(result.finding, kept) ? std::string() : tracesCsv(result.finding)},
-        {"proposed.mo", proposedBlocks(result.finding)}};
+        {"proposed.mo", proposedBlocks(result.finding)},
+        {"unit.json", unit}};
     for (const auto& [name, content] : files) {
         stopPoint();
         if (!content.empty())
@@ -256,13 +257,18 @@ ResultsPlace::~ResultsPlace() {
     for (auto made = made_.rbegin(); made != made_.rend(); ++made) rmdir(made->c_str());  // fails unless it is empty
 }
 
-Outcome<Done> ResultsPlace::write(const RunResult& result, const std::string& command, Traces traces) {
-    return replace([&](const fs::path& fresh) { return fill(fresh, directory_, result, command, traces); });
+Outcome<Done> ResultsPlace::write(const RunResult& result, const std::string& command, Traces traces,
+                                  const std::string& unit) {
+    return replace([&](const fs::path& fresh) { return fill(fresh, directory_, result, command, traces, unit); });
 }
 
 Outcome<Done> ResultsPlace::writeTraces(const std::string& csv) {
     return replace(
         [&](const fs::path& fresh) { return putFile(fresh / "traces.csv", directory_ / "traces.csv", csv); });
+}
+
+Outcome<Done> ResultsPlace::writeUnit(const std::string& unit) {
+    return replace([&](const fs::path& fresh) { return putFile(fresh / "unit.json", directory_ / "unit.json", unit); });
 }
 
 Outcome<Done> ResultsPlace::replace(const std::function<Outcome<Done>(const fs::path&)>& fillIn) {

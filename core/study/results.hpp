@@ -28,9 +28,13 @@ public:
 
     /// Notes: what was kept under another name. Throws Stopped (core/base/stop) where that was asked for before the
     /// results were at their place; nothing has changed there then, and they can be written anew.
-    Outcome<Done> write(const RunResult& result, const std::string& command, Traces traces = Traces::All);
+    /// `unit`: what a campaign records of it (unit.json); empty: the study is of no campaign.
+    Outcome<Done> write(const RunResult& result, const std::string& command, Traces traces = Traces::All,
+                        const std::string& unit = {});
     /// The same of traces alone: of a class that is no study.
     Outcome<Done> writeTraces(const std::string& csv);
+    /// The same of the record of a unit that has no results.
+    Outcome<Done> writeUnit(const std::string& unit);
 
 private:
     explicit ResultsPlace(std::filesystem::path directory) : directory_(std::move(directory)) {}

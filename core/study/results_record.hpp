@@ -8,8 +8,8 @@
 namespace analogon {
 
 /// The names at the top of a directory of results, in the order in which they are replaced.
-inline constexpr const char* resultNames[] = {"report.json", "report.html",    "traces.csv",       "proposed.mo",
-                                              "study",       "study-proposed", ".analogon-results"};
+inline constexpr const char* resultNames[] = {"report.json", "report.html",    "traces.csv", "proposed.mo",
+                                              "study",       "study-proposed", "unit.json",  ".analogon-results"};
 
 class ResultsRecord {
 public:

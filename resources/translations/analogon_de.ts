@@ -11409,6 +11409,202 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <source>the model has no parameter {} that may change</source>
         <translation>das Modell hat keinen Parameter {}, der sich ändern darf</translation>
     </message>
+    <message>
+        <source>a campaign is an object {{…}}</source>
+        <translation>eine Kampagne ist ein Objekt {{…}}</translation>
+    </message>
+    <message>
+        <source>a campaign has the command &quot;fit&quot; or &quot;discover&quot;, and not &quot;{}&quot;</source>
+        <translation>eine Kampagne hat den Befehl &quot;fit&quot; oder &quot;discover&quot; und nicht &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is no member of a campaign</source>
+        <translation>&quot;{}&quot; ist kein Eintrag einer Kampagne</translation>
+    </message>
+    <message>
+        <source>Known here: {}.</source>
+        <translation>Bekannt sind hier: {}.</translation>
+    </message>
+    <message>
+        <source>{}: expected a text that is not empty</source>
+        <translation>{}: erwartet wird ein Text, der nicht leer ist</translation>
+    </message>
+    <message>
+        <source>the member &quot;{}&quot; is missing</source>
+        <translation>der Eintrag &quot;{}&quot; fehlt</translation>
+    </message>
+    <message>
+        <source>{}: expected an object {{name: column}}</source>
+        <translation>{}: erwartet wird ein Objekt {{Name: Spalte}}</translation>
+    </message>
+    <message>
+        <source>no recording is of a unit</source>
+        <translation>keine Aufzeichnung gehört einem Exemplar</translation>
+    </message>
+    <message>
+        <source>&quot;files&quot; names the column with the path of a recording, for each experiment.</source>
+        <translation>&quot;files&quot; nennt für jedes Experiment die Spalte mit dem Pfad seiner Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>expected a list […] of columns</source>
+        <translation>erwartet wird eine Liste […] von Spalten</translation>
+    </message>
+    <message>
+        <source>the unit has no name</source>
+        <translation>das Exemplar hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>the name of the unit is longer than {} bytes</source>
+        <translation>der Name des Exemplars ist länger als {} Byte</translation>
+    </message>
+    <message>
+        <source>the name of the unit begins with a point</source>
+        <translation>der Name des Exemplars beginnt mit einem Punkt</translation>
+    </message>
+    <message>
+        <source>the name of the unit holds a character that no folder&apos;s name may have</source>
+        <translation>der Name des Exemplars enthält ein Zeichen, das kein Ordnername haben darf</translation>
+    </message>
+    <message>
+        <source>the unit &quot;{}&quot; stands in line {} already</source>
+        <translation>das Exemplar &quot;{}&quot; steht schon in Zeile {}</translation>
+    </message>
+    <message>
+        <source>Give each unit a name of its own.</source>
+        <translation>Jedem Exemplar einen eigenen Namen geben.</translation>
+    </message>
+    <message>
+        <source>the table has no unit</source>
+        <translation>die Tabelle enthält kein Exemplar</translation>
+    </message>
+    <message>
+        <source>the table of units has {} columns &quot;{}&quot;</source>
+        <translation>die Tabelle der Exemplare hat {} Spalten &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>Write the whole header, with its unit.</source>
+        <translation>Die ganze Überschrift mit ihrer Einheit schreiben.</translation>
+    </message>
+    <message>
+        <source>the table of units has no column &quot;{}&quot;</source>
+        <translation>die Tabelle der Exemplare hat keine Spalte &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>It has {}.</source>
+        <translation>Sie hat {}.</translation>
+    </message>
+    <message>
+        <source>the campaign names the unit {} and the table {}</source>
+        <translation>die Kampagne nennt die Einheit {} und die Tabelle {}</translation>
+    </message>
+    <message>
+        <source>Name the column as the table does.</source>
+        <translation>Die Spalte so nennen, wie die Tabelle es tut.</translation>
+    </message>
+    <message>
+        <source>the unit &quot;{}&quot; is not known</source>
+        <translation>die Einheit &quot;{}&quot; ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Its results lie in a folder of that name.</source>
+        <translation>Seine Ergebnisse liegen in einem Ordner dieses Namens.</translation>
+    </message>
+    <message>
+        <source>the unit has no recording for &quot;{}&quot;</source>
+        <translation>das Exemplar hat keine Aufzeichnung für &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>{}: expected a number, found &quot;{}&quot;</source>
+        <translation>{}: erwartet wird eine Zahl, gefunden &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>Leave the cell empty where it is not known.</source>
+        <translation>Die Zelle leer lassen, wo der Wert nicht bekannt ist.</translation>
+    </message>
+    <message>
+        <source>there is no study &quot;{}&quot;</source>
+        <translation>es gibt keine Studie &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>The path is relative to the campaign&apos;s folder.</source>
+        <translation>Der Pfad gilt ab dem Ordner der Kampagne.</translation>
+    </message>
+    <message>
+        <source>there is no table &quot;{}&quot;</source>
+        <translation>es gibt keine Tabelle &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>the table of units was changed while the campaign ran</source>
+        <translation>die Tabelle der Exemplare wurde während der Kampagne geändert</translation>
+    </message>
+    <message>
+        <source>Start the campaign again: it goes on with the units as they are now.</source>
+        <translation>Die Kampagne erneut starten: sie fährt mit den Exemplaren fort, wie sie jetzt sind.</translation>
+    </message>
+    <message>
+        <source>Give a new or an empty directory, or that of an earlier campaign.</source>
+        <translation>Ein neues oder leeres Verzeichnis angeben oder das einer früheren Kampagne.</translation>
+    </message>
+    <message>
+        <source>a campaign needs a directory, and this is none</source>
+        <translation>eine Kampagne braucht ein Verzeichnis, und dies ist keines</translation>
+    </message>
+    <message>
+        <source>another run works on this campaign</source>
+        <translation>ein anderer Lauf arbeitet an dieser Kampagne</translation>
+    </message>
+    <message>
+        <source>this directory holds something else than a campaign&apos;s results</source>
+        <translation>dieses Verzeichnis enthält anderes als Ergebnisse einer Kampagne</translation>
+    </message>
+    <message>
+        <source>the study has no experiment &quot;{}&quot;</source>
+        <translation>die Studie hat kein Experiment &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>the model has no parameter &quot;{}&quot;</source>
+        <translation>das Modell hat keinen Parameter &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>The table gives &quot;{}&quot; in this unit.</source>
+        <translation>Die Tabelle gibt &quot;{}&quot; in dieser Einheit an.</translation>
+    </message>
+    <message>
+        <source>there is no recording &quot;{}&quot;</source>
+        <translation>es gibt keine Aufzeichnung &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>The path is relative to the folder of the table.</source>
+        <translation>Der Pfad gilt ab dem Ordner der Tabelle.</translation>
+    </message>
+    <message>
+        <source>the table of units is no text in UTF-8</source>
+        <translation>die Tabelle der Exemplare ist kein Text in UTF-8</translation>
+    </message>
+    <message>
+        <source>Save it as UTF-8.</source>
+        <translation>Als UTF-8 speichern.</translation>
+    </message>
+    <message>
+        <source>a quote is not closed in this line</source>
+        <translation>in dieser Zeile ist ein Anführungszeichen nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>Close it; a cell of this table ends with its line.</source>
+        <translation>Es schließen; eine Zelle dieser Tabelle endet mit ihrer Zeile.</translation>
+    </message>
+    <message>
+        <source>the row has {} cells and the header {}</source>
+        <translation>die Zeile hat {} Zellen und die Überschrift {}</translation>
+    </message>
+    <message>
+        <source>no process can be started: {}</source>
+        <translation>es lässt sich kein Prozess starten: {}</translation>
+    </message>
+    <message>
+        <source>a process for the units could not begin: {}</source>
+        <translation>ein Prozess für die Exemplare konnte nicht beginnen: {}</translation>
+    </message>
 </context>
 <context>
     <name>Qt</name>

@@ -45,6 +45,7 @@ public:
     }
     void interrupt() const { kill(id_, SIGINT); }
     void end() const { kill(id_, SIGKILL); }
+    pid_t id() const { return id_; }
     int wait() {
         int status = 0;
         waitpid(id_, &status, 0);

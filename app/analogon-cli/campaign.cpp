@@ -1,0 +1,174 @@
+#include "app/analogon-cli/campaign.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "app/analogon-cli/progress_view.hpp"
+#include "core/base/stopwatch.hpp"
+#include "core/base/visible.hpp"
+#include "core/campaign/campaign_run.hpp"
+#include "core/campaign/results_table.hpp"
+
+namespace analogon::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+int faulty(const Diagnostics& faults) {
+    std::cerr << format(faults) << std::endl;
+    return inputAtFault;
+}
+
+std::string timeText(double seconds) {
+    if (seconds < 0) return "";
+    if (seconds < 90) return fmt::format(", {:.0f} s left", seconds);
+    if (seconds < 5400) return fmt::format(", {:.0f} min left", seconds / 60);
+    return fmt::format(", {:.1f} h left", seconds / 3600);
+}
+
+/// Done, running, failed and the time left: a bar, or one JSON object a line.
+class CampaignView {
+public:
+    CampaignView(ProgressKind kind, std::ostream& stream, bool isTerminal)
+        : kind_(kind), stream_(stream), bar_(kind, stream, isTerminal), sink_(bar_.sink()) {}
+
+    void show(const CampaignProgress& progress) {
+        const CampaignCounts& c = progress.counts;
+        const std::size_t ended = c.done + c.failed;
+        if (kind_ == ProgressKind::Json) return showJson(progress, ended);
+        if (!sink_) return;
+        const std::string text = fmt::format("{} done, {} running, {} failed{}", c.done, c.running, c.failed,
+                                             timeText(progress.secondsLeft));
+        sink_({"units", text, c.units == 0 ? 1 : static_cast<double>(ended) / static_cast<double>(c.units)});
+    }
+    void clear() { bar_.clear(); }
+
+private:
+    void showJson(const CampaignProgress& progress, std::size_t ended) {
+        const CampaignCounts& c = progress.counts;
+        const bool isLast = ended == c.units;
+        if (!isLast && hasShown_ && secondsSince(lastShown_) < 0.1) return;
+        hasShown_ = true;
+        lastShown_ = std::chrono::steady_clock::now();
+        nlohmann::ordered_json json{
+            {"stage", "units"},
+            {"fraction", c.units ? static_cast<double>(ended) / static_cast<double>(c.units) : 1},
+            {"units", c.units},
+            {"done", c.done},
+            {"running", c.running},
+            {"failed", c.failed}};
+        if (progress.secondsLeft >= 0) json["seconds_left"] = std::round(progress.secondsLeft);
+        stream_ << json.dump() << std::endl;
+    }
+
+    ProgressKind kind_;
+    std::ostream& stream_;
+    ProgressView bar_;
+    Progress::Sink sink_;
+    std::chrono::steady_clock::time_point lastShown_{};
+    bool hasShown_{};
+};
+
+/// The campaign with its study.
+struct OpenedCampaign {
+    Campaign campaign;
+    CampaignTemplate study;
+};
+
+Outcome<OpenedCampaign> opened(const Options& options) {
+    Outcome<Campaign> campaign = readCampaign(options.input);
+    if (!campaign) return campaign.diagnostics();
+    Outcome<CampaignTemplate> study = CampaignTemplate::open(*campaign);
+    if (!study) return study.diagnostics();
+    return OpenedCampaign{std::move(*campaign), std::move(*study)};
+}
+
+std::vector<std::string> workerCommand(const Campaign& campaign, const fs::path& out) {
+    return {fs::read_symlink("/proc/self/exe").string(), "campaign-worker", campaign.file.string(), "--out",
+            out.string()};
+}
+
+RunOptions unitOptions() {
+    RunOptions run;
+    run.discover.threads = run.discover.fit.threads = 1;  // the units themselves run side by side
+    return run;
+}
+
+void tellFailures(const Campaign& campaign, const CampaignState& state) {
+    constexpr std::size_t most = 10;
+    std::size_t told = 0;
+    for (std::size_t i = 0; i < campaign.units.size(); ++i) {
+        if (state.of(i) != UnitState::Failed) continue;
+        if (++told > most) continue;
+        std::cerr << "failed: " << visibleName(campaign.units[i].name) << ": " << visible(state.record(i).fault)
+                  << std::endl;
+    }
+    if (told > most) std::cerr << fmt::format("and {} more units; results.csv names them", told - most) << std::endl;
+}
+
+/// What is there when the run has ended, for whatever reason.
+int collect(const Campaign& campaign, const CampaignState& state, bool isInterrupted) {
+    if (Outcome<Done> table = writeResultsTable(campaign, state); !table) return faulty(table.diagnostics());
+    const CampaignCounts counts = state.counts();
+    tellFailures(campaign, state);
+    std::cout << fmt::format("{} units: {} done, {} failed, {} waiting\nresults: {}", counts.units, counts.done,
+                             counts.failed, counts.waiting, visible((state.out() / "results.csv").string()))
+              << std::endl;
+    if (isInterrupted) {
+        std::cerr << "interrupted; the same command goes on where it was" << std::endl;
+        return interrupted;
+    }
+    return counts.done == 0 && counts.failed > 0 ? numericsFailed : done;
+}
+
+void tellKept(const CampaignState& state) {
+    if (state.kept() > 0) std::cerr << fmt::format("{} units are done already", state.kept()) << std::endl;
+    if (state.changed() > 0)
+        std::cerr << fmt::format(
+                         "{} units have changed since they were worked on (study, row or recordings) and are "
+                         "worked on again",
+                         state.changed())
+                  << std::endl;
+}
+
+}  // namespace
+
+int campaign(const Options& options, Interrupt& interrupt) {
+    Outcome<OpenedCampaign> read = opened(options);
+    if (!read) return faulty(read.diagnostics());
+    const Campaign& campaign = read->campaign;
+    Outcome<CampaignState> state = CampaignState::take(campaign, read->study, options.out, options.retry);
+    if (!state) return faulty(state.diagnostics());
+    tellKept(*state);
+    CampaignView view(options.progress, std::cerr, isatty(STDERR_FILENO) != 0);
+    CampaignRunOptions run;
+    run.worker = workerCommand(campaign, state->out());
+    run.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    run.stop = interrupt.token();
+    run.report = [&](const CampaignProgress& progress) { view.show(progress); };
+    const Outcome<Done> worked = runCampaign(campaign, read->study, *state, run);
+    interrupt.tell();
+    view.clear();
+    if (!worked) return faulty(worked.diagnostics());
+    return collect(campaign, *state, interrupt.wasRaised());
+}
+
+int campaignWorker(const Options& options) {
+    Outcome<OpenedCampaign> read = opened(options);
+    if (!read) return faulty(read.diagnostics());
+    const Outcome<Done> served =
+        serveUnits(read->campaign, read->study, options.out, unitOptions(), std::cin, std::cout);
+    return served ? static_cast<int>(done) : faulty(served.diagnostics());
+}
+
+}  // namespace analogon::cli

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <stop_token>
+
+#include "core/campaign/campaign_state.hpp"
+
+namespace analogon {
+
+/// How far a campaign is.
+struct CampaignProgress {
+    CampaignCounts counts;
+    double secondsLeft{-1};  // negative: not known yet
+};
+
+struct CampaignRunOptions {
+    std::vector<std::string> worker;  // the program that serves as worker (serveUnits), with its arguments
+    int jobs{1};
+    std::stop_token stop{};
+    std::function<void(const CampaignProgress&)> report{};
+};
+
+/// Works on the units that wait, each in a process that takes one after the other; a process that dies costs the unit
+/// that it had. Ends early where that is asked for: what is done is done. campaign.json follows.
+Outcome<Done> runCampaign(const Campaign& campaign, const CampaignTemplate& study, CampaignState& state,
+                          const CampaignRunOptions& options);
+
+/// The same of some units alone, as the task of a cluster, which holds no state: only their folders are written.
+Outcome<Done> runUnits(const Campaign& campaign, const CampaignTemplate& study, const std::vector<std::size_t>& units,
+                       const std::filesystem::path& out, const CampaignRunOptions& options);
+
+/// The worker's side: takes units from one stream, answers on the other (core/campaign/worker_pool.hpp), until the
+/// first ends. Faults: the units of the campaign are not those that are asked for (its table was changed meanwhile).
+Outcome<Done> serveUnits(const Campaign& campaign, const CampaignTemplate& study, const std::filesystem::path& out,
+                         const RunOptions& options, std::istream& in, std::ostream& answers);
+
+/// The time that is left: what the units that ended took, for those that remain, over the processes.
+class TimeLeft {
+public:
+    explicit TimeLeft(int jobs) : jobs_(jobs) {}
+    void add(double seconds) {
+        sum_ += seconds;
+        ++count_;
+    }
+    double of(std::size_t remaining) const {
+        return count_ == 0 ? -1 : sum_ / static_cast<double>(count_) * static_cast<double>(remaining) / jobs_;
+    }
+
+private:
+    int jobs_;
+    double sum_{};
+    std::size_t count_{};
+};
+
+}  // namespace analogon

@@ -1,0 +1,183 @@
+/// A campaign as its own process: what it leaves, what ends it, and what the next run does.
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <cstdio>
+#include <random>
+#include <set>
+#include <thread>
+
+#include "tests/app/command_process.hpp"
+#include "tests/core/campaign/campaign_folder.hpp"
+
+namespace analogon::cli {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class CampaignCommandLine : public CampaignFolder {
+protected:
+    void SetUp() override {
+        CampaignFolder::SetUp();
+        campaign(R"({"unit": "serial", "files": {"step": "file"}, "attributes": ["supplier"]})");
+    }
+    void units(int count) {
+        std::string table = "serial,file,supplier\n";
+        for (int i = 0; i < count; ++i) {
+            const std::string name = "U" + std::to_string(i);
+            record(name + ".csv", 1 + 0.1 * i, 0.3 + 0.02 * i);
+            table += name + "," + name + ".csv," + (i % 2 ? "A" : "B") + "\n";
+        }
+        write("units.csv", table);
+    }
+    std::vector<std::string> arguments(const std::string& out, int jobs = 2) const {
+        return {"campaign", at("campaign.json").string(), "--out", at(out).string(), "--jobs", std::to_string(jobs)};
+    }
+    int run(const std::string& out, int jobs = 2) {
+        Process process(arguments(out, jobs), folder_);
+        const int status = process.wait();
+        said_ = process.out() + process.err();
+        return status;
+    }
+    /// When the record of each unit was written.
+    std::map<std::string, fs::file_time_type> records(const std::string& out) const {
+        std::map<std::string, fs::file_time_type> times;
+        std::error_code code;
+        for (fs::directory_iterator entry(at(out) / "units", code), end; !code && entry != end; entry.increment(code))
+            if (fs::exists(entry->path() / "unit.json"))
+                times[entry->path().filename()] = fs::last_write_time(entry->path() / "unit.json");
+        return times;
+    }
+
+    std::string said_;
+};
+
+TEST_F(CampaignCommandLine, LeavesARowAndAReportOfEachUnitWhateverTheNumberOfJobs) {
+    units(5);
+    ASSERT_EQ(run("one", 1), 0) << said_;
+    ASSERT_EQ(run("three", 3), 0) << said_;
+    const std::string table = read("one/results.csv");
+    EXPECT_EQ(read("three/results.csv"), table);
+    EXPECT_THAT(table, HasSubstr("unit,state,finding,effects,error_before [%],error_after [%]"));
+    EXPECT_THAT(table, HasSubstr(",T [s],T.std [s],k [1],k.std [1],supplier,seconds,fault\nU0,done,"));
+    for (const char* file : {"report.json", "report.html", "traces.csv", "study/study.json", "unit.json"})
+        EXPECT_TRUE(fs::exists(at("one") / "units/U3" / file)) << file;
+    EXPECT_THAT(read("one/campaign.json"), HasSubstr("\"U4\": {\"state\":\"done\""));
+}
+
+TEST_F(CampaignCommandLine, LosesOneUnitForOneThatIsFaulty) {
+    units(3);
+    fs::remove(at("U1.csv"));
+    write("units.csv", read("units.csv") + "../x,U0.csv,A\n");
+    ASSERT_EQ(run("out"), 0) << said_;
+    EXPECT_THAT(read("out/results.csv"), HasSubstr("U1,failed,"));
+    EXPECT_THAT(read("out/results.csv"), HasSubstr("there is no recording"));
+    EXPECT_THAT(read("out/results.csv"), HasSubstr("U2,done,"));
+    EXPECT_THAT(read("out/campaign.json"), HasSubstr("\"../x\": {\"state\":\"failed\""));
+    EXPECT_FALSE(fs::exists(at("out/x")));
+}
+
+TEST_F(CampaignCommandLine, WritesNothingWhereTheCampaignIsFaulty) {
+    units(2);
+    campaign(R"({"unit": "serial", "files": {"stop": "file"}})");
+    EXPECT_EQ(run("out"), 2);
+    EXPECT_THAT(said_, HasSubstr("the study has no experiment \"stop\""));
+    EXPECT_FALSE(fs::exists(at("out")));
+}
+
+TEST_F(CampaignCommandLine, TouchesNoDirectoryThatIsNotACampaigns) {
+    units(1);
+    EXPECT_EQ(run("."), 2);
+    EXPECT_THAT(said_, HasSubstr("something else than a campaign's results"));
+    EXPECT_FALSE(fs::exists(at("results.csv")));
+}
+
+TEST_F(CampaignCommandLine, WorksAgainOnWhatChangedAndOnNothingElse) {
+    units(4);
+    ASSERT_EQ(run("out"), 0) << said_;
+    const auto before = records("out");
+    record("U2.csv", 4, 0.9);
+    ASSERT_EQ(run("out"), 0) << said_;
+    EXPECT_THAT(said_, HasSubstr("1 units have changed since they were worked on"));
+    const auto after = records("out");
+    for (const auto& [unit, time] : before) EXPECT_EQ(after.at(unit) == time, unit != "U2") << unit;
+}
+
+TEST_F(CampaignCommandLine, EndsWithinAFifthOfASecondWhenInterruptedAndGoesOn) {
+    units(40);
+    ASSERT_EQ(run("whole"), 0) << said_;
+    Process process(arguments("out", 1), folder_);
+    while (records("out").size() < 3) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    const auto begin = std::chrono::steady_clock::now();
+    process.interrupt();
+    EXPECT_EQ(process.wait(), 130);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(600));  // the machine may be busy
+    EXPECT_THAT(process.err(), HasSubstr("goes on where it was"));
+    const auto before = records("out");
+    EXPECT_LT(before.size(), 40u);
+    ASSERT_EQ(run("out"), 0) << said_;
+    const auto after = records("out");
+    EXPECT_EQ(after.size(), 40u);
+    for (const auto& [unit, time] : before) EXPECT_EQ(after.at(unit), time) << unit;
+    EXPECT_EQ(read("out/results.csv"), read("whole/results.csv"));
+}
+
+/// As often as ANALOGON_KILLS says.
+TEST_F(CampaignCommandLine, LosesNothingAndDoesNothingTwiceWhenItIsKilled) {
+    units(24);
+    ASSERT_EQ(run("whole"), 0) << said_;
+    const char* wanted = std::getenv("ANALOGON_KILLS");
+    std::mt19937 random(5);
+    std::map<std::string, fs::file_time_type> known;
+    for (int kills = wanted ? std::atoi(wanted) : 8; kills > 0; --kills) {
+        if (known.size() == 24) {
+            fs::remove_all(at("out"));
+            known.clear();
+        }
+        Process process(arguments("out"), folder_);
+        std::this_thread::sleep_for(std::chrono::milliseconds(50 + random() % 400));
+        process.end();
+        process.wait();
+        std::this_thread::sleep_for(std::chrono::milliseconds(60));  // its workers end with it
+        const auto now = records("out");
+        for (const auto& [unit, time] : known) {
+            ASSERT_TRUE(now.contains(unit)) << unit;
+            EXPECT_EQ(now.at(unit), time) << unit;
+        }
+        known = now;
+    }
+    ASSERT_EQ(run("out"), 0) << said_;
+    for (const auto& [unit, time] : known) EXPECT_EQ(records("out").at(unit), time) << unit;
+    EXPECT_EQ(read("out/results.csv"), read("whole/results.csv"));
+    for (const auto& entry : fs::recursive_directory_iterator(at("out")))
+        EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr(".analogon-results-")));
+}
+
+/// The processes that a process has started, from /proc.
+std::vector<pid_t> childrenOf(pid_t parent) {
+    std::vector<pid_t> children;
+    std::ifstream list("/proc/" + std::to_string(parent) + "/task/" + std::to_string(parent) + "/children");
+    for (pid_t child; list >> child;) children.push_back(child);
+    return children;
+}
+
+TEST_F(CampaignCommandLine, LosesTheUnitsAtWorkWhenTheirProcessesCrash) {
+    units(60);
+    Process process(arguments("out", 1), folder_);
+    while (records("out").size() < 5) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    for (const pid_t worker : childrenOf(process.id())) kill(worker, SIGSEGV);
+    EXPECT_EQ(process.wait(), 0);
+    const std::string table = read("out/results.csv");
+    EXPECT_THAT(process.out(), HasSubstr("60 units: "));
+    std::size_t failed = 0;
+    for (std::size_t at = 0; (at = table.find(",failed,", at)) != std::string::npos; ++at) ++failed;
+    EXPECT_LE(failed, 1u);  // none where it was between two units
+    EXPECT_EQ(table.find(",waiting,"), std::string::npos);
+    if (failed == 1) {
+        EXPECT_THAT(table, HasSubstr("signal 11"));
+    }
+}
+
+}  // namespace
+}  // namespace analogon::cli
