@@ -13,9 +13,11 @@
 #include <thread>
 
 #include "app/analogon-cli/progress_view.hpp"
+#include "core/base/number_text.hpp"
 #include "core/base/stopwatch.hpp"
 #include "core/base/visible.hpp"
 #include "core/campaign/campaign_run.hpp"
+#include "core/campaign/campaign_summary.hpp"
 #include "core/campaign/results_table.hpp"
 
 namespace analogon::cli {
@@ -119,10 +121,17 @@ void tellFailures(const Campaign& campaign, const CampaignState& state) {
 /// What is there when the run has ended, for whatever reason.
 int collect(const Campaign& campaign, const CampaignState& state, bool isInterrupted) {
     if (Outcome<Done> table = writeResultsTable(campaign, state); !table) return faulty(table.diagnostics());
+    const CampaignSummary summary = summaryOf(campaign, state);
+    if (Outcome<Done> page = writeCampaignPage(campaign, state, summary); !page) return faulty(page.diagnostics());
     const CampaignCounts counts = state.counts();
     tellFailures(campaign, state);
+    for (const ParameterSummary& p : summary.parameters)
+        for (const OddUnit& odd : p.odd)
+            std::cout << fmt::format("odd: {}: {} = {} ({:+.1f} robust standard deviations)\n",
+                                     visibleName(campaign.units[odd.unit].name), p.parameter.name,
+                                     numberText(p.values[odd.unit]), odd.deviation);
     std::cout << fmt::format("{} units: {} done, {} failed, {} waiting\nresults: {}", counts.units, counts.done,
-                             counts.failed, counts.waiting, visible((state.out() / "results.csv").string()))
+                             counts.failed, counts.waiting, visible((state.out() / "campaign.html").string()))
               << std::endl;
     if (isInterrupted) {
         std::cerr << "interrupted; the same command goes on where it was" << std::endl;
