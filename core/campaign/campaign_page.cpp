@@ -38,6 +38,9 @@ std::string row(std::initializer_list<std::string> cells) {
     return text + "</tr>\n";
 }
 
+/// "0.03", "< 1e-15"
+std::string pText(double p) { return p < 1e-15 ? "&lt; 1e-15" : numberText(p, 2); }
+
 class CampaignPage {
 public:
     CampaignPage(const Campaign& campaign, const CampaignState& state, const CampaignSummary& summary)
@@ -50,6 +53,7 @@ public:
             "content=\"width=device-width\"><title>" +
             title + " – campaign</title><style>" + reportStyle() +
             ".plot .bar { fill: var(--after); } .plot .odd { fill: var(--bad); } a { color: var(--note); }\n"
+            ".figures { grid-template-columns: repeat(auto-fit, minmax(180px, 1fr)); }\n"
             ".all a { display: inline-block; margin: 2px 10px 2px 0; }</style></head><body><main>\n"
             "<p class=\"kicker\">Campaign · " +
             std::string(name(campaign_.command)) + "</p><h1>" + title + "</h1>\n";
@@ -119,10 +123,10 @@ private:
         const double deviation = std::sqrt(of.between);
         out_ += fmt::format(
             "<dt>mean of all units</dt><dd>{}{}</dd><dt>between units</dt><dd>{}{} (standard deviation)</dd>"
-            "<dt>within a unit</dt><dd>{}{}</dd><dt>common to all</dt><dd>{} (p = {})</dd>",
+            "<dt>within a unit</dt><dd>{}{}</dd><dt>common to all</dt><dd>{} (p: {})</dd>",
             valueText(of.mean, of.meanError), unit,
             valueText(deviation, deviation > 0 ? of.betweenError / (2 * deviation) : std::nan("")), unit,
-            numberText(std::sqrt(of.within)), unit, p.isCommon() ? "may be" : "no", numberText(p.pCommon, 2));
+            numberText(std::sqrt(of.within)), unit, p.isCommon() ? "may be" : "no", pText(p.pCommon));
     }
 
     /// Densities between the outer values that are not odd, or all; odd ones as strokes, at the edge where they lie
@@ -172,7 +176,7 @@ private:
                          a.isNumber ? fmt::format("ranks (ρ = {:+.2f}), slope {}", a.ranks.correlation,
                                                   numberText(a.ranks.slope, 3))
                                     : std::string("groups (Kruskal-Wallis)"),
-                         std::to_string(a.units), numberText(a.p, 2), numberText(a.corrected, 2),
+                         std::to_string(a.units), pText(a.p), pText(a.corrected),
                          a.corrected < summaryLevel ? "<span class=\"chip warn\">significant</span>" : ""});
         out_ += "</tbody></table></div>\n";
     }
