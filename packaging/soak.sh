@@ -59,6 +59,7 @@ writes=(
     "kills-directory test_study StudyFiles.SurviveKills"
     "kills-results test_study Results.AreOldOrNewWhenTheProgramIsKilled"
     "kills-discover test_app DiscoverThatIsKilled.IsOldOrNew"
+    "kills-campaign test_app CampaignCommandLine.LosesNothingAndDoesNothingTwiceWhenItIsKilled"
     "kills-window test_ui WindowSaves.OldOrNewWhereverItIsKilled"
     "kills-own test_base OwnedDirectories.LeaveNothingWhereverTheirMakerIsKilled"
 )
