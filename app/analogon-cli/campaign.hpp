@@ -5,13 +5,10 @@
 
 namespace analogon::cli {
 
-/// The same fit or discovery for many units, in processes of this machine or as an array of Slurm.
+/// The same fit or discovery for many units, in processes of this machine.
 int campaign(const Options& options, Interrupt& interrupt);
 
 /// What those processes do: takes units from standard input (core/campaign/campaign_run.hpp).
 int campaignWorker(const Options& options);
-
-/// A task of a Slurm array: the units of one line of a list.
-int campaignTask(const Options& options, Interrupt& interrupt);
 
 }  // namespace analogon::cli

@@ -67,8 +67,6 @@ const char* name(Command command) {
             return "campaign";
         case Command::CampaignWorker:
             return "campaign-worker";
-        case Command::CampaignTask:
-            return "campaign-task";
         case Command::Unpack:
             break;
     }

@@ -23,7 +23,6 @@ enum class Command {
     Unpack,
     Campaign,
     CampaignWorker,
-    CampaignTask
 };
 enum class PrintKind { None, Flat, Structure, Program };
 enum class ProgressKind { Automatic, Bar, Json, None };

@@ -84,12 +84,6 @@ Outcome<Done> runCampaign(const Campaign& campaign, const CampaignTemplate& stud
     return worked ? written : worked;
 }
 
-Outcome<Done> runUnits(const Campaign& campaign, const CampaignTemplate& study, const std::vector<std::size_t>& units,
-                       const std::filesystem::path& out, const CampaignRunOptions& options) {
-    return work(
-        campaign, study, units, out, options, [](std::size_t) {}, [](std::size_t, const UnitRecord&) {}, [] {});
-}
-
 Outcome<Done> serveUnits(const Campaign& campaign, const CampaignTemplate& study, const std::filesystem::path& out,
                          const RunOptions& options, std::istream& in, std::ostream& answers) {
     answers << "ready" << std::endl;

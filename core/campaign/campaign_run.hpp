@@ -26,10 +26,6 @@ struct CampaignRunOptions {
 Outcome<Done> runCampaign(const Campaign& campaign, const CampaignTemplate& study, CampaignState& state,
                           const CampaignRunOptions& options);
 
-/// The same of some units alone, as the task of a cluster, which holds no state: only their folders are written.
-Outcome<Done> runUnits(const Campaign& campaign, const CampaignTemplate& study, const std::vector<std::size_t>& units,
-                       const std::filesystem::path& out, const CampaignRunOptions& options);
-
 /// The worker's side: takes units from one stream, answers on the other (core/campaign/worker_pool.hpp), until the
 /// first ends. Faults: the units of the campaign are not those that are asked for (its table was changed meanwhile).
 Outcome<Done> serveUnits(const Campaign& campaign, const CampaignTemplate& study, const std::filesystem::path& out,

@@ -25,7 +25,8 @@ protected:
         write("lag/study.json",
               R"({"format": "analogon-study-1", "class": "Lag", "experiments": [{"name": "step", "role": "fit",
                   "file": "step.csv", "time": "t", "inputs": {"u": "u"}, "outputs": {"y": "y"}}],
-                  "parameters": {"k": {"fit": true, "min": 0.1, "max": 10}, "T": {"fit": true, "min": 0.01, "max": 5}}})");
+                  "parameters": {"k": {"fit": true, "min": 0.1, "max": 10},
+                                 "T": {"fit": true, "min": 0.01, "max": 5}}})");
         record("lag/step.csv", 1, 0.5);
     }
     void TearDown() override { std::filesystem::remove_all(folder_); }
