@@ -5,7 +5,6 @@
 #include <cmath>
 #include <random>
 
-#include "core/effect/model/held_out.hpp"
 #include "core/effect/model/null_model.hpp"
 #include "core/residual/noise.hpp"
 #include "core/residual/quantisation.hpp"
@@ -199,39 +198,6 @@ TEST(NoiseThreshold, GrowsWithTheNumberOfUnlikeCandidates) {
     const double one = noiseThreshold(alike, 0, 0.99, 1);
     EXPECT_NEAR(one, 6.63, 1.0);  // chi-square with one degree of freedom at 99 %
     EXPECT_GT(noiseThreshold(unlike, 0, 0.99, 1), one + 4);
-}
-
-TEST(HeldOutGain, IsNearOneForATrueEffectAndNegativeForAFalseOne) {
-    const int n = 1000;
-    const std::vector<ResidualChannel> channels{oneChannel(n)};
-    const Eigen::VectorXd noise = gaussian(n, 5);
-    const Eigen::VectorXd truth = wave(n, 7), wrong = gaussian(n, 6);
-    const Eigen::VectorXd r = noise - truth;
-    const Eigen::MatrixXd nothing(n, 0);
-    EXPECT_GT(heldOutGain(channels, leftBy(nothing, r), leftBy(truth, r), 5, 5), 0.8);
-    EXPECT_LT(heldOutGain(channels, leftBy(nothing, noise), leftBy(wrong, noise), 5, 5), 0.5);
-}
-
-TEST(HeldOutGain, JudgesAnEffectOfWhichOneShapeShowsInOnePartAlone) {
-    // strongest where a second parameter of it shows (the stiffness of a contact that is closed there)
-    const int n = 1000;
-    const std::vector<ResidualChannel> channels{oneChannel(n)};
-    Eigen::MatrixXd effect = Eigen::MatrixXd::Zero(n, 2);
-    effect.col(0) = wave(n, 7);
-    effect.col(0).head(n / 5) *= 5;
-    effect(50, 1) = 1;
-    const Eigen::VectorXd r = gaussian(n, 5) - effect * Eigen::Vector2d(3, 4);
-    const Linearisation none = leftBy(Eigen::MatrixXd(n, 0), r);
-    EXPECT_GT(heldOutGain(channels, none, leftBy(effect, r), 5, 5), 0.8);
-}
-
-TEST(HeldOutGain, DoesNotConfirmWhatShowsInOnePartAlone) {
-    const int n = 1000;
-    const std::vector<ResidualChannel> channels{oneChannel(n)};
-    Eigen::MatrixXd effect = Eigen::MatrixXd::Zero(n, 1);
-    effect.col(0).segment(250, 100) = 5 * wave(n, 7).head(100);
-    const Eigen::VectorXd r = gaussian(n, 5) - effect.col(0);
-    EXPECT_LT(heldOutGain(channels, leftBy(Eigen::MatrixXd(n, 0), r), leftBy(effect, r), 5, 5), 0.2);
 }
 
 }  // namespace

@@ -1,0 +1,78 @@
+#include "core/effect/course/held_parameter.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/effect/lagging_body.hpp"
+
+namespace analogon {
+namespace {
+
+/// A body of 4 J/K in a model that holds so much for it, or bounds it.
+EstimationTask bodyHeldAt(double capacity, const std::vector<FitParameter>& fitted) {
+    EstimationTask task = laggingBody(0);
+    std::string text = task.model->text();
+    const std::string right = "C=4";
+    text.replace(text.find(right), right.size(), "C=" + std::to_string(capacity));
+    Recordings recordings = task.recordings;
+    task = taskOf(text, "Body");
+    task.parameters = fitted;
+    task.recordings = std::move(recordings);
+    return task;
+}
+
+NullModel fitted(const EstimationTask& task) {
+    Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, {}, {});
+    EXPECT_TRUE(null) << format(null.diagnostics());
+    return null ? std::move(*null) : NullModel{};
+}
+
+const FitParameter joint{"joint.G", "W/K", 0.3, 0.01, 10};
+
+TEST(HeldInstead, IsTheValueOfWhatIsHeldWrongly) {
+    const NullModel null = fitted(bodyHeldAt(6, {joint}));
+    const std::vector<HeldInstead> values = heldInstead(null, null, {}, {});
+    ASSERT_FALSE(values.empty());
+    EXPECT_EQ(values[0].parameter, "body.C");
+    EXPECT_EQ(values[0].held, 6);
+    EXPECT_NEAR(values[0].value, 4, 5 * values[0].standardError);
+    EXPECT_TRUE(values[0].leavesNoise);
+    EXPECT_FALSE(values[0].byBound);
+    EXPECT_GT(values[0].gain, 1000);
+    EXPECT_LT(values[0].errorFitWith, 1);
+    EXPECT_EQ(values[0].errorValidateWith, -1) << "nothing validates";
+}
+
+TEST(HeldInstead, IsNoneWhereTheModelLeavesNoise) {
+    const NullModel null = fitted(bodyHeldAt(4, {joint}));
+    for (const HeldInstead& h : heldInstead(null, null, {}, {})) EXPECT_LT(h.gain, 10) << h.parameter;
+}
+
+TEST(HeldInstead, MayLieBeyondABoundThatIsTooNarrow) {
+    const NullModel null = fitted(bodyHeldAt(6, {joint, {"body.C", "J/K", 6, 5.5, 10}}));
+    const std::vector<HeldInstead> values = heldInstead(null, null, {}, {});
+    ASSERT_FALSE(values.empty());
+    EXPECT_EQ(values[0].parameter, "body.C");
+    EXPECT_TRUE(values[0].byBound);
+    EXPECT_EQ(values[0].held, 5.5);
+    EXPECT_NEAR(values[0].value, 4, 0.1);
+}
+
+TEST(HeldInstead, IsOfNothingThatTheRecordingsTellApart) {
+    EstimationTask task = bodyHeldAt(6, {joint});
+    Recording second = task.recordings.front();
+    second.starts = {{"body.C", 7, false}};
+    task.recordings.push_back(second);
+    const NullModel null = fitted(task);
+    for (const HeldInstead& h : heldInstead(null, null, {}, {})) EXPECT_NE(h.parameter, "body.C");
+}
+
+TEST(HeldInstead, IsToldAsAnEquation) {
+    HeldInstead held;
+    held.parameter = "core.C";
+    held.unit = "J/K";
+    held.value = 302.0004;
+    EXPECT_EQ(held.text(), "core.C = 302 J/K");
+}
+
+}  // namespace
+}  // namespace analogon
