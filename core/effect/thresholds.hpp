@@ -6,14 +6,14 @@
 #include <string_view>
 
 /// Every number by which a search decides, in one table (thresholds.def): as a constant, threshold::GROUP::NAME, and as
-/// a list for whoever wants to see them all. A new one needs a row there and a case of the bench that fails without it.
+/// a list for whoever wants to see them all. A new one needs a row there, with the test that fails when it is off.
 namespace analogon {
 
 namespace threshold {
 
-#define THRESHOLD(group, type, name, value, unit, meaning, origin) \
-    namespace group {                                              \
-    inline constexpr type name = value;                            \
+#define THRESHOLD(group, type, name, value, unit, meaning, origin, guard) \
+    namespace group {                                                     \
+    inline constexpr type name = value;                                   \
     }
 #include "core/effect/thresholds.def"
 #undef THRESHOLD
@@ -23,7 +23,7 @@ namespace threshold {
 struct ThresholdRow {
     std::string_view group, name;
     double value;
-    std::string_view unit, meaning, origin;
+    std::string_view unit, meaning, origin, guard;
 };
 
 /// All of them, in the order of the table.

@@ -160,7 +160,7 @@ std::vector<Law> likelyLaws(const NullModel& null, int before, const SimulationO
     for (std::size_t i = 0; i < probes.size(); ++i)
         for (TermSet& set : sets[i]) (i < flowNodes.size() ? likely : ofSensors).push_back({i, std::move(set)});
     keepBest(likely, mostOfFlows);
-    keepBest(ofSensors, mostOfSensors);
+    keepBest(ofSensors, mostOfFlows / 2);
     likely.insert(likely.end(), ofSensors.begin(), ofSensors.end());
     keepBest(likely, likely.size());
     for (const Likely& each : likely) laws.push_back(probes[each.probe].law(each.set.terms, ++before));

@@ -13,6 +13,7 @@
 namespace analogon {
 
 using namespace threshold::law;
+using threshold::acceptance::simplerKeeps;
 
 namespace {
 
@@ -60,7 +61,7 @@ public:
         const Eigen::VectorXd left = residual_ - first * first.dot(residual_);
         const std::vector<double> further = gainsOver(left, columns_ - first * (first.transpose() * columns_));
         const std::size_t second = bestFirst(further).front();
-        if (isMoreThanChance(further[second], left) && further[second] > leastTermShare * sets.front().explained)
+        if (isMoreThanChance(further[second], left) && further[second] > formShare * sets.front().explained)
             sets.push_back({{sets.front().terms.front(), second}, sets.front().explained + further[second]});
         return sets;
     }
@@ -81,7 +82,7 @@ private:
     std::vector<std::size_t> bestFirst(const std::vector<double>& gains) const {
         std::vector<std::size_t> order(gains.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
-        const auto worth = [&](std::size_t j) { return gains[j] * std::pow(nearlyAll, terms_[j].complexity); };
+        const auto worth = [&](std::size_t j) { return gains[j] * std::pow(simplerKeeps, terms_[j].complexity); };
         std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return worth(a) > worth(b); });
         return order;
     }
@@ -91,7 +92,7 @@ private:
         const double rows = static_cast<double>(residual.size());
         const double evidence = gain / ((residual.squaredNorm() - gain) / rows) - std::log(rows) -
                                 2 * std::log(static_cast<double>(terms_.size()));
-        return evidence > leastTermEvidence;
+        return evidence > equivalenceMargin;
     }
 
     const std::vector<Term>& terms_;

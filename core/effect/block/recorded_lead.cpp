@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "core/effect/thresholds.hpp"
-
 namespace analogon {
 
-using namespace threshold::screen;
-
 namespace {
+
+// by which outputs of one simulation that are proportional may differ, as a share of their variation: rounding, and of
+// one that was summed over the samples the trapezoidal rule
+constexpr double sameCourse = 1e-6, sameRate = 1e-2;
 
 /// Trapezoidal sum over the time, from 0 at the first sample.
 Eigen::VectorXd summed(const Eigen::VectorXd& rate, const std::vector<double>& time) {

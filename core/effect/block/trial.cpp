@@ -289,7 +289,7 @@ TrialStarts::TrialStarts(const NullModel& null, const Screened& screened, const 
             return s.isAlongRecorded == probe->isAlongRecorded;
         });
         const bool isFaint = probe->plain.explained < faintShare * offered.front().first->plain.explained;
-        if (alike == mostStarts || (alike >= mostFaint && isFaint)) continue;
+        if (alike == mostStarts || (alike >= mostStarts / 2 && isFaint)) continue;
         std::optional<TrialStart> start = prepareStart(null, screened, *probe, strength, best_.failure);
         if (!start) continue;
         if (probe->secant == 0 && !probe->isAlongRecorded) takeBack(null, *start, rough, progress);
@@ -382,7 +382,7 @@ void TrialStarts::holdWholeNumber(TrialStart& start, FitResult& result) const {
     const auto chi2Decrease = [&](const FitResult& r) {
         return null_.sumOfSquares() - r.optimum.residuals.squaredNorm();
     };
-    double most = asMuchByWhole * chi2Decrease(result);
+    double most = threshold::acceptance::simplerKeeps * chi2Decrease(result);
     for (const double number : {std::floor(value), std::ceil(value)}) {
         if (!(number >= least && number <= whole->max) || progress_.stopRequested()) continue;
         PlacedEffect with = placed;

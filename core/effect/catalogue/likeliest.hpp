@@ -15,8 +15,8 @@ namespace analogon {
 template <class Likely>
 void keepLikeliest(std::vector<Likely>& likely) {
     if (likely.empty()) return;
-    using namespace threshold::reading;
-    const double least = leastLikely * likely.front().explained;
+    using threshold::likely::mostFitted, threshold::rounds::rivalShare;
+    const double least = rivalShare * likely.front().explained;
     std::erase_if(likely, [&](const Likely& each) { return each.explained < least; });
     if (likely.size() > mostFitted) likely.resize(mostFitted);
 }

@@ -12,6 +12,9 @@
 namespace analogon {
 
 using namespace threshold::heldValue;
+using threshold::acceptance::clearEvidence;
+using threshold::likely::likelyShare;
+using threshold::likely::mostAgain;
 
 namespace {
 
@@ -126,7 +129,7 @@ std::vector<HeldInstead> heldInstead(const NullModel& without, const NullModel& 
     for (const FitParameter& p : bound)
         tried.push_back(&p);  // what they would explain beyond has no slope at the bound
     for (const Likely& l : likely(without, held, options, progress))
-        if (tried.size() < bound.size() + mostFitted && l.explained >= likelyShare * chi2Decrease)
+        if (tried.size() < bound.size() + mostAgain && l.explained >= likelyShare * chi2Decrease)
             tried.push_back(l.parameter);
     for (std::size_t i = 0; i < tried.size() && !progress.stopRequested(); ++i) {
         const FitParameter& p = *tried[i];
@@ -142,7 +145,7 @@ std::vector<HeldInstead> heldInstead(const NullModel& without, const NullModel& 
             const double factor = e.value / p.start;
             if (std::abs(factor - 1) < otherValue) continue;
             const bool isPlausible = factor > 1 / plausibleFactor && factor < plausibleFactor;
-            if (!isPlausible && !(gain > clearlyMore)) continue;
+            if (!isPlausible && !(gain > clearEvidence)) continue;
             found.push_back({p.name, p.unit, p.start, e.value, e.standardError, i < bound.size(),
                              isNoise(with.channels, *fit), gain,
                              (without.sumOfSquares() - squares) / (squares / rows)});

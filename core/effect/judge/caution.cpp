@@ -18,6 +18,10 @@
 namespace analogon {
 
 using namespace threshold::caution;
+using threshold::acceptance::farMore;
+using threshold::heldValue::otherValue;
+using threshold::judgement::leastOfRest;
+using threshold::noise::moreThanChance;
 
 namespace {
 
@@ -31,7 +35,7 @@ Range rangeIn(const Recording& recording, const std::vector<std::string>& names,
 /// Whether a parameter that the data determine would have two values that differ and that it may have.
 bool isTwoValues(const NullModel& null, const FitEstimate& estimate, double one, double other) {
     const double largest = std::max(std::abs(one), std::abs(other));
-    if (!std::isfinite(estimate.standardError) || !(std::abs(one - other) > leastDifference * largest)) return false;
+    if (!std::isfinite(estimate.standardError) || !(std::abs(one - other) > otherValue * largest)) return false;
     const std::vector<FitParameter>& parameters = null.variant.task.parameters;
     const auto own = std::find_if(parameters.begin(), parameters.end(),
                                   [&](const FitParameter& p) { return p.name == estimate.name; });
@@ -110,7 +114,7 @@ std::vector<Text> driftBetweenRecordings(const NullModel& null) {
             best = {score.explained, elsewhere, elsewhere + step, estimate.name,
                     null.variant.task.recordings[static_cast<std::size_t>(recordings[e])].name};
         }
-    if (!(best.explained > least) || !(best.explained > mostOfExcess * excess)) return {};
+    if (!(best.explained > farMore) || !(best.explained > leastOfRest * excess)) return {};
     return {
         phrase("{} seems to be another one in '{}' (about {:.4g}) than in the other recordings (about {:.4g}): "
                "was the component, or its condition, the same?",
@@ -147,10 +151,10 @@ struct Miss {
 bool isMoreThanNoise(const Miss& miss, double noise, double correlated) {
     const double ratio = miss.rms() * miss.rms() / (noise * noise);
     const double independent = miss.count() / std::max(1.0, correlated);
-    const double byChance = 1.0 + sigmas * std::sqrt(2.0 / independent);
-    const double byParameters = sigmas * sigmas * miss.uncertain / (noise * noise);
+    const double byChance = 1.0 + moreThanChance * std::sqrt(2.0 / independent);
+    const double byParameters = moreThanChance * moreThanChance * miss.uncertain / (noise * noise);
     if (!(ratio > std::max(clearlyWorse * clearlyWorse, byChance) + byParameters)) return false;
-    const bool isOneSided = std::abs(miss.offset()) > sigmas * miss.rms() / std::sqrt(independent);
+    const bool isOneSided = std::abs(miss.offset()) > moreThanChance * miss.rms() / std::sqrt(independent);
     return isOneSided || summarise(miss.residual()).whiteProbability < whiteSignificance;
 }
 

@@ -69,7 +69,7 @@ void Disturbance::settle(const Eigen::VectorXd& residuals, std::size_t most) {
         Settled before = settled_;
         add({flowOf(best)});
         Metric next = likeliest(residuals);
-        if (next.source < 0 || !(next.misfit < best.misfit - leastOfAPlace)) {
+        if (next.source < 0 || !(next.misfit < best.misfit - equivalenceMargin)) {
             settled_ = std::move(before);
             return;
         }
@@ -218,7 +218,7 @@ std::set<std::string> Disturbance::likelyPlaces(const Linearisation& model, doub
 
 std::vector<std::string> Disturbance::likeliestPlaces(const Linearisation& model) const {
     std::map<std::string, double> ofPlace = leastMisfits(model);
-    ofPlace[""] -= leastOfAPlace;
+    ofPlace[""] -= equivalenceMargin;
     const double all = model.residuals.squaredNorm() / static_cast<double>(model.residuals.size());
     std::set<std::string> flows;
     for (const FlowResponse& r : responses()) {
@@ -321,7 +321,7 @@ public:
                 least_ = {metric_.misfit, disturbance_->independentShare(here_.fit.optimum.residuals, metric_)};
             if (!prepared_ || progress_.stopRequested()) break;
             if (round == 0) {
-                places = disturbance_->likelyPlaces(here_.fit.optimum, likelyShare);
+                places = disturbance_->likelyPlaces(here_.fit.optimum, threshold::likely::likelyShare);
                 places.merge(disturbance_->settledPlaces());
             }
             if (places.empty() || !descend()) break;

@@ -9,6 +9,8 @@
 namespace analogon {
 
 using namespace threshold::judgement;
+using threshold::acceptance::clearEvidence;
+using threshold::acceptance::farMore;
 
 double pValue(double explained, int dof, std::size_t tried) {
     if (!(explained > 0) || dof < 1) return 1;
@@ -45,7 +47,7 @@ bool mayFollowOthers(const NullModel& null, const Trial& trial) {
 
 bool isMissed(const Acceptance& a) { return a.isSignificant && a.isWorthwhile && a.heldOut > 0; }
 
-bool isClearlyMissed(const Acceptance& a) { return std::min(a.evidence, a.effective) > clearlyMissed; }
+bool isClearlyMissed(const Acceptance& a) { return std::min(a.evidence, a.effective) > farMore; }
 
 bool isTold(const PlacedEffect& placed, const std::vector<FitEstimate>& estimates, const Acceptance& missed,
             bool leavesNoise) {
@@ -59,7 +61,7 @@ bool outweighsRest(double chi2Decrease, const NullModel& null, double share) {
 }
 
 bool isBorneOut(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int freed) {
-    return evidenceBeside(without, with, rows, freed) > leastBesideDisturbance;
+    return evidenceBeside(without, with, rows, freed) > clearEvidence;
 }
 
 bool isLikelier(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int freed) {

@@ -11,8 +11,11 @@
 namespace analogon {
 
 using namespace threshold::prediction;
+using threshold::acceptance::heldOutFolds;
 
 namespace {
+
+constexpr int fewestRecordings = 3;  // from which on whole ones are left out: two may tell different parameters
 
 /// What a row counts in percent of the range of its channel's measurement.
 Eigen::VectorXd percentOfRange(const std::vector<ResidualChannel>& channels, Eigen::Index rows) {
@@ -96,7 +99,7 @@ int recordingsIn(const std::vector<ResidualChannel>& channels) {
 struct Cut {
     explicit Cut(int count) : recordings(count), areWhole(count >= fewestRecordings) {}
 
-    int parts() const { return std::min(areWhole ? recordings : recordings * partsOfARecording, mostParts); }
+    int parts() const { return std::min(areWhole ? recordings : recordings * partsOfARecording, heldOutFolds); }
     int partOf(int recording, long sample, long samples) const {
         const long own = areWhole ? recording : recording * partsOfARecording + sample * partsOfARecording / samples;
         return static_cast<int>(own % parts());

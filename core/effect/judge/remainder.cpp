@@ -12,9 +12,15 @@
 
 namespace analogon {
 
-using namespace threshold::remainder;
+using threshold::acceptance::leastBesideOthers;
+using threshold::noise::moreThanChance;
 
 namespace {
+
+constexpr double leastMotion = 1e-9;       // of a quantity, beside what the parameters imitate: rounding
+constexpr double nothing = 1e-3;           // sigma: what rounding leaves of an output at rest
+constexpr double leastCorrelation = 0.05;  // that is told
+constexpr int mostShift = 20;              // samples by which two outputs may be shifted to each other
 
 constexpr std::size_t mostCorrelates = 5;  // that are told
 
@@ -185,14 +191,15 @@ bool isShared(const std::vector<ResidualChannel>& channels, const Eigen::VectorX
             if (channels[i].experiment != channels[j].experiment || channels[i].samples != channels[j].samples)
                 continue;
             const int from = channels[i].begin, other = channels[j].begin, count = channels[i].end - from;
-            if (coherenceProbability(residuals.segment(from, count), residuals.segment(other, count)) < significance)
+            if (coherenceProbability(residuals.segment(from, count), residuals.segment(other, count)) <
+                whiteSignificance)
                 return true;
             const Eigen::VectorXd a = white.segment(from, count), b = white.segment(other, count);
             const double chance = a.norm() * b.norm() / std::sqrt(static_cast<double>(count));
             for (int lag = -std::min(mostShift, count - 1); lag <= std::min(mostShift, count - 1); ++lag) {
                 const int rest = count - std::abs(lag);
                 const double together = lag < 0 ? a.head(rest).dot(b.tail(rest)) : a.tail(rest).dot(b.head(rest));
-                if (std::abs(together) > leastShared * chance) return true;
+                if (std::abs(together) > moreThanChance * chance) return true;
             }
         }
     return false;
@@ -230,7 +237,7 @@ struct Examination {
           regressors(candidates),
           patient(model),
           white(model.scores().white(model.scores().whiteResidual)),
-          unlikely(significance / (3 * static_cast<double>(model.channels.size()))) {}
+          unlikely(whiteSignificance / (3 * static_cast<double>(model.channels.size()))) {}
 
     bool isChance(double p) const { return !(p < unlikely); }
 };
@@ -274,7 +281,8 @@ std::optional<Examined> examine(const Examination& of, const ResidualChannel& ch
     if ((e.isWhite || scatter <= 1) && standsOff(own))
         e.standsOff = std::pow(own.sum(), 2) / count - std::log(static_cast<double>(count));
     const double beyondChance = e.all.explained - e.directions() * std::log(static_cast<double>(count));
-    const bool isLittle = e.isWhite && std::max(beyondChance, -std::log(std::max(e.pMoves, 1e-300))) < leastOfWhite;
+    const bool isLittle =
+        e.isWhite && std::max(beyondChance, -std::log(std::max(e.pMoves, 1e-300))) < leastBesideOthers;
     e.isNoise = e.standsOff == 0 && (isLittle || of.isChance(e.pMoves)) && (e.isWhite || isStationaryNoise(own));
     return e;
 }

@@ -74,14 +74,16 @@ Acceptance examine(const NullModel& null, const FitResult& with, int freed, doub
     // What leaves noise has explained all there was. What leaves structure must show more, and show it against chance.
     const bool leavesStructure = !isNoise(null.channels, with);
     const bool isFirst = null.variant.effects.empty();
-    const double least = !isFirst ? leastBesideOthers : leavesStructure ? leastOfStructure : leastEvidence;
+    const double least = !isFirst ? leastBesideOthers : leavesStructure ? clearEvidence : leastEvidence;
     a.leastEvidence = std::max(least, threshold * (leavesStructure ? structureFactor : 1));
     const double best = std::max(a.evidence, a.effective);
-    a.isAtEdges = best > a.leastEvidence && best < leastAtEdges && happensAtEdges(null, with);
+    a.isAtEdges = best > a.leastEvidence && best < farMore && happensAtEdges(null, with);
     a.isSignificant = best > a.leastEvidence && !a.isAtEdges;
     const double left = with.optimum.residuals.squaredNorm(), unexplained = left - rows;
     const bool explainsAll = !leavesStructure && std::min(a.evidence, a.effective) > farMore;
-    a.leastHeldOutAsked = explainsAll ? leastHeldOutOfAll : left > muchLeft * rows ? leastHeldOutOfMuch : leastHeldOut;
+    a.leastHeldOutAsked = explainsAll                                   ? leastHeldOutOfAll
+                          : left > largeResidual * largeResidual * rows ? leastHeldOutOfMuch
+                                                                        : leastHeldOut;
     a.holdsOut = a.heldOut > a.leastHeldOutAsked;
     a.share = unexplained > 0 ? (null.sumOfSquares() - left) / unexplained : std::numeric_limits<double>::infinity();
     a.isWorthwhile = a.share > leastShare;

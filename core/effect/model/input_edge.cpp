@@ -11,6 +11,7 @@
 namespace analogon {
 
 using namespace threshold::inputEdge;
+using threshold::noise::clearOfNoise;
 
 namespace {
 

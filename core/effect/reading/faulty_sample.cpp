@@ -14,8 +14,15 @@
 namespace analogon {
 
 using namespace threshold::faultySample;
+using threshold::inputEdge::mostAside;
+using threshold::noise::clearOfNoise;
+using threshold::noise::outlier;
 
 namespace {
+
+constexpr int fewestNeighbours = neighbours / 2;  // of those on a side, that are sound
+constexpr int longest = neighbours / 2;           // of samples in a row that may stand alone
+constexpr std::size_t mostTold = 4;               // of them, one by one
 
 using Runs = std::vector<std::pair<int, int>>;  // [begin, end) of rows
 
@@ -125,15 +132,15 @@ int samplesToCatchUp(const NullModel& model, const ResidualChannel& channel, con
     if (rows < fewestSamples || channel.samples.front() != 0) return 0;
     const Eigen::VectorXd beyond = -model.fit.optimum.residuals.segment(channel.begin, rows);
     const double noise = noiseOf(beyond), first = std::abs(beyond[0]);
-    if (!(first > allClear * noise)) return 0;
+    if (!(first > clearOfNoise * noise)) return 0;
     int count = 1;
-    while (count <= longestStart && std::abs(beyond[count]) > halfClear * noise) {
+    while (count <= longestStart && std::abs(beyond[count]) > outlier * noise) {
         if (beyond[count] * beyond[0] < 0 || std::abs(beyond[count]) > leastDecay * std::abs(beyond[count - 1]))
             return 0;
         ++count;
     }
     // what is slower has been pushed a little meanwhile
-    const double least = std::max(halfClear * noise, mostAfterwards * first);
+    const double least = std::max(outlier * noise, mostAside * first);
     const bool isOver = count <= longestStart && beyond.segment(count, neighbours).cwiseAbs().maxCoeff() < least;
     const double own = rangeOf(channel.measured.head(count + 1)).width();
     return isOver && own < ownPart * first && !behindJumps(recording).front() ? count : 0;
@@ -149,9 +156,9 @@ struct Measured {
 
 /// Of the samples of a channel, those that stand alone.
 std::vector<int> spikesOf(const Measured& channel, const Recording& recording) {
-    const Runs runs = runsThatStandAlone(channel.beyond, channel.values, allClear);
+    const Runs runs = runsThatStandAlone(channel.beyond, channel.values, clearOfNoise);
     if (runs.empty() ||
-        runsThatStandAlone(channel.beyond, channel.values, halfClear).size() > mostHalfClear * runs.size())
+        runsThatStandAlone(channel.beyond, channel.values, outlier).size() > mostHalfClear * runs.size())
         return {};
     std::vector<int> spikes;
     const std::vector<bool> isBehind = behindJumps(recording);
@@ -192,7 +199,7 @@ void addStuck(int recording, const std::string& output, const Eigen::VectorXd& v
         const double moved = end < values.size()    ? std::abs(values[end] - values[begin])
                              : simulated.size() > 0 ? rangeOf(simulated.segment(begin, end - begin)).width()
                                                     : 0;
-        if (values[begin] != 0 && moved > allClear * noiseOf(values))
+        if (values[begin] != 0 && moved > clearOfNoise * noiseOf(values))
             faults.push_back({recording, output, begin + 1, end, true});
     }
 }

@@ -12,8 +12,11 @@
 namespace analogon {
 
 using namespace threshold::heldCommand;
+using threshold::likely::mostInputs;
 
 namespace {
+
+constexpr double sameValue = 1e-9;  // of the range, within which a column stays where it is: rounding
 
 /// Inputs that are joined by straight lines and change at all, in the order of the first fitted recording.
 std::vector<std::string> inputsOnLines(const EstimationTask& task) {

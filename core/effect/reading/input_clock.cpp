@@ -15,6 +15,7 @@
 namespace analogon {
 
 using namespace threshold::inputClock;
+using threshold::likely::mostInputs;
 
 namespace {
 

@@ -10,13 +10,12 @@
 
 #include "core/base/parallel.hpp"
 #include "core/effect/model/score.hpp"
-#include "core/effect/thresholds.hpp"
 
 namespace analogon {
 
-using namespace threshold::inputEdge;
-
 namespace {
+
+constexpr double evenPrecision = 12;  // of a number that lies anywhere between 0 and 1: its variance is 1/12
 
 constexpr double firstParts[] = {0.001, 0.01, 0.03, 0.06, 0.12, 0.25, 0.5, 0.75, 0.88, 0.94, 0.97, 0.99, 0.999};
 constexpr int bitsOfAPart = 8;

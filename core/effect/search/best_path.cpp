@@ -106,7 +106,7 @@ void addPairPaths(SearchContext& search, Node& best, const NullModel& base, cons
     const bool isNear = reducedChi(best.null.fit) < mostForPairs || search.frontier.bestError < mostErrorForPairs;
     if (isExplained(best, aPair) || !isNear || search.progress.stopRequested()) return;
     const Round wider = search.work.done > mostTrialWork ? first : withPairMembers(search, base, first);
-    for (const std::size_t begin : pairBeginnings(base, wider, otherPairs, taken)) {
+    for (const std::size_t begin : pairBeginnings(base, wider, otherPaths, taken)) {
         if (search.progress.stopRequested() || isExplained(best, aPair) || search.work.done > mostTrialWork) return;
         Node path = pathFrom(search, base, wider, begin);
         if (search.frontier.beginsAnew) return;

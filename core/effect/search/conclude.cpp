@@ -16,6 +16,7 @@
 namespace analogon {
 
 using namespace threshold::conclude;
+using threshold::acceptance::leastShare;
 
 namespace {
 
@@ -25,7 +26,7 @@ bool onlyImitate(const NullModel& base, const Node& node) {
     if (node.steps.size() < fewestOfImitation) return false;
     const double chi2Decrease = sumInUnitsOf(node.null, base) - node.null.sumOfSquares();
     return std::all_of(node.steps.begin(), node.steps.end(),
-                       [&](const Step& s) { return s.chi2Decrease < shareOfImitation * chi2Decrease; });
+                       [&](const Step& s) { return s.chi2Decrease < leastShare * chi2Decrease; });
 }
 
 }  // namespace

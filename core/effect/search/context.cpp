@@ -13,6 +13,8 @@ using namespace threshold::paths;
 
 namespace {
 
+constexpr double sameOptimum = 1e-3;  // of the misfit, within which two fits are one
+
 /// The options with limits in work alone: what is found depends on no clock, and on no other load of the machine.
 DiscoverOptions limitedInWork(DiscoverOptions options) {
     SimulationOptions& simulation = options.fit.simulation;

@@ -10,7 +10,8 @@
 
 namespace analogon {
 
-using namespace threshold::course;
+using threshold::acceptance::farMore;
+using threshold::judgement::farLess;
 
 namespace {
 
@@ -34,7 +35,7 @@ double gainOf(const NullModel& base, const NullModel& with, const Change& change
 template <class Change>
 bool isBetterThan(const NullModel& base, const NullModel& with, const Change& change,
                   double leastGain = equivalenceMargin) {
-    return change.explained > changeShare * excess(base) && change.explained > leastChange &&
+    return change.explained > leastOfRest * excess(base) && change.explained > farMore &&
            gainOf(base, with, change) > leastGain;
 }
 
@@ -86,15 +87,15 @@ bool isChangeAll(SearchContext& search, const NullModel& base, const NullModel& 
 }
 
 bool isChangeAlone(SearchContext& search, const NullModel& base, const Round& first) {
-    if (!first.chosen || !(excess(base) > leastAlone)) return false;
+    if (!first.chosen || !(excess(base) > beyondDoubt)) return false;
     const Trial& winner = first.trials[*first.chosen];
-    if (isNoise(base.channels, winner.fit) || !(promisedByChange(base) > changeShare * excess(base))) return false;
-    return isChangeAll(search, base, base.with(winner.variant, winner.fit), leastAlone);
+    if (isNoise(base.channels, winner.fit) || !(promisedByChange(base) > leastOfRest * excess(base))) return false;
+    return isChangeAll(search, base, base.with(winner.variant, winner.fit), beyondDoubt);
 }
 
 void settleChange(SearchContext& search, const NullModel& base, const NullModel& with) {
     // hardly anything outdoes effects that leave noise
-    if (!search.courses.isSought && isNoise(with) && !(promisedByChange(base) > leastPromised * excess(base))) return;
+    if (!search.courses.isSought && isNoise(with) && !(promisedByChange(base) > farLess * excess(base))) return;
     seekChange(search, base);
     const auto settle = [&](auto& change) {
         if (!change) return;

@@ -12,6 +12,12 @@ namespace analogon {
 
 using namespace threshold::experiments;
 
+namespace {
+
+constexpr int mostExperiments = 2;  // that are proposed
+
+}  // namespace
+
 Text proposeExperiments(SearchContext& search, const Node& node) {
     Text text;
     int count = 0;

@@ -20,6 +20,8 @@
 namespace analogon {
 
 using namespace threshold::prediction;
+using threshold::acceptance::leastShare;
+using threshold::likely::mostAgain;
 
 namespace {
 
@@ -204,7 +206,7 @@ bool addOne(SearchContext& search, Node& node) {
     Round round = tryAll(search, node.null);
     if (search.progress.stopRequested()) return false;
     std::vector<Contender> contenders = contendersOf(search, node.null, round.trials);
-    for (int tries = 0; tries < mostContenders && !contenders.empty() && !search.progress.stopRequested(); ++tries) {
+    for (std::size_t tries = 0; tries < mostAgain && !contenders.empty() && !search.progress.stopRequested(); ++tries) {
         chooseAmong(search, node.null, contenders, round);
         if (std::optional<Node> next = withChoice(search, node, round)) {
             noteAll(search, *next, round);
@@ -268,7 +270,7 @@ bool predictsBetter(const SearchContext& search, const Node& node, const Node& t
     if (isLate != isOtherLate)
         return p.removed() > (isLate ? leastOfDeadTime : -leastOfDeadTime / (1 - leastOfDeadTime));
     const bool isSimpler = node.null.parameterCount() < than.null.parameterCount();
-    return p.removed() > (isSimpler ? -leastOfAnother : leastOfAnother);
+    return p.removed() > (isSimpler ? -leastShare : leastShare);
 }
 
 }  // namespace

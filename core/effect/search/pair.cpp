@@ -16,6 +16,9 @@
 namespace analogon {
 
 using namespace threshold::pairs;
+using threshold::likely::mostFitted;
+using threshold::paths::otherPaths;
+using threshold::rounds::nearlyTheSame;
 
 namespace {
 
@@ -38,7 +41,7 @@ std::vector<Pair> bestPairs(const std::vector<const Screened*>& effects, const E
         }
     std::stable_sort(pairs.begin(), pairs.end(),
                      [](const Pair& p, const Pair& q) { return p.explained > q.explained; });
-    std::erase_if(pairs, [&](const Pair& p) { return p.explained < nearlyBest * pairs.front().explained; });
+    std::erase_if(pairs, [&](const Pair& p) { return p.explained < nearlyTheSame * pairs.front().explained; });
     return pairs;
 }
 
@@ -126,7 +129,7 @@ Round withPairMembers(SearchContext& search, const NullModel& null, Round round)
     const auto add = [&](const Screened* s) {
         const auto isIt = [&](const Trial& t) { return isSame(t.screened.candidate, s->candidate); };
         if (std::any_of(round.trials.begin(), round.trials.end(), isIt)) return;
-        if (members.size() < mostMembers && std::find(members.begin(), members.end(), s) == members.end())
+        if (members.size() < mostFitted && std::find(members.begin(), members.end(), s) == members.end())
             members.push_back(s);
     };
     for (const Pair& p : bestPairs(named, null.fit.optimum.residuals)) {
@@ -151,7 +154,7 @@ std::optional<Round> chosenTogether(SearchContext& search, const Node& node, Rou
     std::vector<std::size_t> begins;
     for (const std::size_t i : round.tooFaint) {
         const double chi2Decrease = null.sumOfSquares() - round.trials[i].sumOfSquares();
-        if (begins.size() < mostForGranted && chi2Decrease > goodPart * excess(null)) begins.push_back(i);
+        if (begins.size() < otherPaths && chi2Decrease > goodPart * excess(null)) begins.push_back(i);
     }
     if (begins.empty() || isNoise(null) || isColouredNoise(search, null)) return std::nullopt;
     for (const std::size_t begin : begins) {

@@ -175,7 +175,8 @@ void bringBackDisplaced(SearchContext& search, Node& node, double leftByProposal
             if (!isDetermined(*with, effects.size() - 1)) return indistinct();
             if (fightsAnother(node.null, with->fit)) return fights();
             if (chi2Decrease < leastAgainstRest * left) return explainsLittle();
-            if (leftByProposals < farLess * left) return phrase("leaves far more than an equation without a name");
+            if (leftByProposals < threshold::judgement::farLess * left)
+                return phrase("leaves far more than an equation without a name");
             return {};
         };
         if (const Text why = whyNot(); !why.empty()) {

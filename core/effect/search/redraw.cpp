@@ -13,6 +13,10 @@
 namespace analogon {
 
 using namespace threshold::redraw;
+using threshold::acceptance::leastEvidence;
+using threshold::acceptance::leastShare;
+using threshold::judgement::leastOfRest;
+using threshold::rounds::nearlyTheSame;
 
 namespace {
 
@@ -34,7 +38,7 @@ std::optional<Redrawn> redrawn(const SearchContext& search, const NullModel& nul
     // what jumps explain lies behind jumps: no doubt of them
     const Acceptance& gain = with->gain;
     const bool counts =
-        std::max(gain.evidence, gain.effective) > std::max(leastOfJumps, threshold) && gain.share > shareOfJumps;
+        std::max(gain.evidence, gain.effective) > std::max(leastEvidence, threshold) && gain.share > leastOfRest;
     if (!counts) return std::nullopt;
     return Redrawn{std::move(likely), std::move(drawn), std::move(*with)};
 }
@@ -60,7 +64,7 @@ bool refitPlaced(SearchContext& search, NullModel& null, Variant placed, std::ve
 
 std::optional<Late> findClocks(const SearchContext& search, const NullModel& null, double threshold, double most) {
     if (search.readings.takesAsGiven || !search.readings.drawn.edges.empty() ||
-        search.work.clockChanges >= mostClockChanges || hasProposal(null))
+        search.work.clockChanges >= mostPasses || hasProposal(null))
         return std::nullopt;
     const Recordings& stamped =
         search.readings.drawn.clocks.empty() ? search.readings.searched.task.recordings : search.readings.drawn.stamped;
@@ -89,15 +93,15 @@ std::optional<Late> findClocks(const SearchContext& search, const NullModel& nul
     }
     if (!found) return std::nullopt;
     // less than a sample is what every mean over one is late by, and met far more often than an effect that looks alike
-    const bool isOfLogger = std::all_of(found->clocks.begin(), found->clocks.end(),
-                                        [&](const InputClock& c) { return c.late < isLateByMean * interval; });
+    const bool isOfLogger =
+        std::all_of(found->clocks.begin(), found->clocks.end(), [&](const InputClock& c) { return c.late < interval; });
     const Eigen::VectorXd& left = found->with.fit.optimum.residuals;
     const double chi2Decrease = null.sumOfSquares() - left.squaredNorm();
     const double margin = equivalenceMargin * left.squaredNorm() / static_cast<double>(left.size());
     if (!isOfLogger && explainedByPickUp(null, found->clocks) - chi2Decrease > margin) return std::nullopt;
     const Acceptance& gain = found->with.gain;
-    const bool counts = std::max(gain.evidence, gain.effective) > std::max(leastOfJumps, threshold) &&
-                        gain.share > shareOfJumps && gain.effective > (isOfLogger ? nearlyAll : 1) * most;
+    const bool counts = std::max(gain.evidence, gain.effective) > std::max(leastEvidence, threshold) &&
+                        gain.share > leastOfRest && gain.effective > (isOfLogger ? nearlyTheSame : 1) * most;
     return counts ? std::move(found) : std::nullopt;
 }
 
@@ -166,8 +170,8 @@ bool placeEdges(SearchContext& search, NullModel& null, Drawings first, double t
             moved.values = valuesOf(next->with.fit);
             there = null.with(std::move(moved), std::move(next->with.fit));
             // a command that is held looks like a dead time of half a sample, and is met far more often
-            if (!(before > (areHeld(next->edges) ? nearlyAll : 1) * most)) {
-                if (before < farFromAll * most) break;
+            if (!(before > (areHeld(next->edges) ? nearlyTheSame : 1) * most)) {
+                if (before < leastShare * most) break;
                 continue;
             }
             most = std::max(most, before);

@@ -15,6 +15,8 @@
 namespace analogon {
 
 using namespace threshold::rounds;
+using threshold::acceptance::farMore;
+using threshold::law::formShare;
 
 namespace {
 
@@ -78,7 +80,7 @@ std::vector<std::size_t> equalPlaces(const SearchContext& search, const NullMode
     };
     const Trial& first = trials[best];
     const double weight = independentShare(null, first.fit);
-    const double margin = std::max(equivalenceMargin, formOfProposal * first.evidence);
+    const double margin = std::max(equivalenceMargin, formShare * first.evidence);
     std::vector<std::size_t> equal{best};
     for (std::size_t i = 0; i < trials.size(); ++i) {
         const Trial& t = trials[i];
@@ -195,7 +197,7 @@ JudgedEquations judgeTrials(const SearchContext& search, const NullModel& null, 
 bool standsUnconfirmed(const NullModel& null, const Round& round, const Trial& equation) {
     const double share = independentShare(null, equation.fit);
     if (round.chosen) return share * (equation.evidence - round.trials[*round.chosen].evidence) > 3 * equivalenceMargin;
-    return share * equation.evidence > leastOfOnce && isNoise(null.channels, equation.fit);
+    return share * equation.evidence > farMore && isNoise(null.channels, equation.fit);
 }
 
 /// Chooses an equation, at the first of the places where it explains as much.

@@ -15,6 +15,8 @@
 namespace analogon {
 
 using namespace threshold::rounds;
+using threshold::likely::mostAgain;
+using threshold::likely::mostFitted;
 
 namespace {
 
@@ -106,7 +108,7 @@ void retryNames(SearchContext& search, const NullModel& null, std::vector<Trial>
     const Trial& equation = trials.front();
     if (reducedChi(equation.fit) > largeResidual) return;
     std::vector<std::size_t> names;
-    for (std::size_t i = 1; i < trials.size() && names.size() < mostRetried; ++i) {
+    for (std::size_t i = 1; i < trials.size() && names.size() < mostFitted; ++i) {
         if (!trials[i].ok || isProposal(trials[i])) continue;
         if (trials[i].screened.candidate.place.connector != equation.screened.candidate.place.connector) continue;
         names.push_back(i);
@@ -231,7 +233,7 @@ void retryNear(SearchContext& search, const NullModel& null, const std::vector<P
                double sumOfSquares, std::vector<Trial>& trials) {
     const double chi2Decrease = null.sumOfSquares() - sumOfSquares;
     std::vector<std::size_t> near;
-    for (std::size_t i = 0; i < trials.size() && near.size() < mostNear; ++i) {
+    for (std::size_t i = 0; i < trials.size() && near.size() < mostAgain; ++i) {
         if (!trials[i].ok || isProposal(trials[i])) continue;
         const double behind = trials[i].sumOfSquares() - sumOfSquares;
         const bool isLost =

@@ -18,6 +18,8 @@ using namespace threshold::rounds;
 
 namespace {
 
+constexpr std::size_t mostAlternatives = 6;  // that are told beside a choice
+
 void note(const SearchContext& search, Node& node, const Screened& s, Verdict verdict, const Text& why,
           std::optional<double> deltaBic, const Text& failure) {
     CandidateResult c;

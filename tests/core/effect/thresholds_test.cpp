@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -41,6 +42,24 @@ TEST(Thresholds, AreAllUsed) {
     }
     for (const ThresholdRow& row : thresholds())
         EXPECT_TRUE(words.contains(std::string(row.name))) << row.group << "." << row.name;
+}
+
+TEST(Thresholds, AreAtMostAHundredAndFifty) { EXPECT_LE(thresholds().size(), 150u); }
+
+TEST(Thresholds, AreGuardedByTestsThatExist) {
+    std::string sources;
+    for (const auto& file : fs::recursive_directory_iterator(fs::path(ANALOGON_ROOT) / "tests/core/effect")) {
+        if (file.path().extension() != ".cpp") continue;
+        std::ifstream source(file.path());
+        sources.append(std::istreambuf_iterator<char>(source), {});
+    }
+    for (const ThresholdRow& row : thresholds()) {
+        if (row.guard.empty()) continue;
+        const std::size_t dot = row.guard.find('.');
+        const std::string test =
+            std::string(row.guard.substr(0, dot)) + ", " + std::string(row.guard.substr(dot + 1)) + ")";
+        EXPECT_NE(sources.find("(" + test), std::string::npos) << row.group << "." << row.name << ": " << row.guard;
+    }
 }
 
 }  // namespace

@@ -2,23 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/core/effect/lagging_body.hpp"
+#include "tests/core/effect/held_body.hpp"
 
 namespace analogon {
 namespace {
-
-/// A body of 4 J/K in a model that holds so much for it, or bounds it.
-EstimationTask bodyHeldAt(double capacity, const std::vector<FitParameter>& fitted) {
-    EstimationTask task = laggingBody(0);
-    std::string text = task.model->text();
-    const std::string right = "C=4";
-    text.replace(text.find(right), right.size(), "C=" + std::to_string(capacity));
-    Recordings recordings = task.recordings;
-    task = taskOf(text, "Body");
-    task.parameters = fitted;
-    task.recordings = std::move(recordings);
-    return task;
-}
 
 NullModel fitted(const EstimationTask& task) {
     Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, {}, {});

@@ -2,10 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "core/effect/block/missing_flow.hpp"
 #include "tests/core/effect/warm_body.hpp"
 
 namespace analogon {
@@ -88,34 +86,6 @@ TEST(NullModel, WithAnotherFitKnowsNothingOfTheFirst) {
     const NullModel other = null.with(null.variant, moved);
     EXPECT_LT((other.scores().whiteResidual - 2 * scores.whiteResidual).norm(), 1e-9 * scores.whiteResidual.norm());
     EXPECT_EQ(other.noise, null.noise);
-}
-
-/// What a flow out of the body does to the reading, of hats that sum to 1 W: of each recording its own, in order.
-TEST(FlowResponses, AreThoseOfEachPieceOfAFlow) {
-    constexpr int pieces = 40;
-    const NullModel null = fitted(2);
-    const double G = null.fit.estimates.front().value;
-    const std::vector<FlowResponse> responses = flowResponses(null, pieces, {}, {});
-    const auto ofFlow = std::find_if(responses.begin(), responses.end(), [](const auto& r) { return r.isFlow; });
-    ASSERT_TRUE(ofFlow != responses.end());
-    ASSERT_EQ(ofFlow->blocks.size(), 2u);
-    for (int run = 0; run < 2; ++run) {
-        const ResponseBlock& block = ofFlow->blocks[static_cast<std::size_t>(run)];
-        EXPECT_EQ(block.recording, run);
-        EXPECT_EQ(block.begin, run * samples);
-        const Eigen::MatrixXd& felt = block.columns;
-        ASSERT_EQ(felt.rows(), samples) << "nothing is felt in the other recording";
-        ASSERT_EQ(felt.cols(), pieces + 1);
-        const double noise = null.noise[static_cast<std::size_t>(run)][0];
-        for (int k = 0; k < samples; ++k)
-            EXPECT_NEAR(-felt.row(k).sum() * noise, (1 - std::exp(-interval * k * G / capacity)) / G, 1e-4) << k;
-        const double width = interval * (samples - 1) / pieces;
-        for (int j = 1; j < pieces; ++j) {
-            Eigen::Index latest = 0;
-            felt.col(j).cwiseAbs().maxCoeff(&latest);
-            EXPECT_NEAR(interval * static_cast<double>(latest), (j + 1) * width, width) << j;
-        }
-    }
 }
 
 }  // namespace

@@ -1,0 +1,34 @@
+#include "core/effect/search/experiments.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/effect/search/warm_nodes.hpp"
+
+namespace analogon {
+namespace {
+
+TEST(Experiments, AreProposedForWhatIsOpenAlone) {
+    WarmSearch of(laggingBody(3));
+    Node node = lagFound(of);
+    std::erase_if(node.steps.front().alternatives, [](const Alternative& a) { return a.equivalent; });
+    EXPECT_TRUE(proposeExperiments(of.search, node).empty());
+}
+
+TEST(Experiments, TellTheEffectFromWhatTheRecordingsLeaveOpen) {
+    WarmSearch of(laggingBody(3));
+    Node node = nodeThatChose(of, "sensor.lag");
+    const Node delay = nodeThatChose(of, "sensor.delay");
+    const PlacedEffect& other = delay.null.variant.effects.front();
+    Step& step = node.steps.front();
+    step.alternatives = {{"sensor.delay", "output T", 3, true}};
+    step.rivals = {{other.effect, other.place}};
+    const Text text = proposeExperiments(of.search, node);
+    EXPECT_NE(text.find("input P as "), std::string::npos) << text;
+    EXPECT_NE(text.find("would tell sensor.lag at output T from sensor.delay at output T by"), std::string::npos)
+        << text;
+    step.rivals.clear();
+    EXPECT_TRUE(proposeExperiments(of.search, node).empty()) << "it was not tried";
+}
+
+}  // namespace
+}  // namespace analogon

@@ -1,0 +1,98 @@
+#include "core/effect/search/round.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/effect/hand_made.hpp"
+#include "tests/core/effect/search/warm_nodes.hpp"
+
+namespace analogon {
+namespace {
+
+TEST(Round, ChoosesTheSensorsLagAndSaysWhyNothingElse) {
+    WarmSearch of(laggingBody(3));
+    const Round round = of.decided();
+    ASSERT_TRUE(round.chosen);
+    EXPECT_EQ(WarmSearch::kindOf(round), "sensor.lag");
+    EXPECT_TRUE(round.acceptance.accepted());
+    Node node{of.base, {}};
+    noteAll(of.search, node, round);
+    ASSERT_GE(node.candidates.size(), 3u);
+    for (const CandidateResult& c : node.candidates)
+        EXPECT_EQ(c.reason.empty(), c.verdict == Verdict::Chosen) << c.kind << ": " << c.reason.english();
+    EXPECT_EQ(of.search.frontier.noted.size(), node.candidates.size());
+}
+
+TEST(Round, ChoosesNothingWhereNoiseIsLeft) {
+    WarmSearch of(laggingBody(0));
+    EXPECT_TRUE(isNoise(of.base));
+    EXPECT_FALSE(of.decided().chosen);
+}
+
+/// A trial beside a model that leaves noise: its evidence and the direction of its trace.
+Trial trial(const std::string& kind, double evidence, const Eigen::VectorXd& trace) {
+    Trial t;
+    t.ok = true;
+    t.evidence = evidence;
+    t.screened.candidate.effect.kind = t.screened.candidate.effect.className = kind;
+    t.screened.candidate.place.at = kind;
+    t.screened.probes.resize(1);
+    t.screened.probes[0].column = Eigen::MatrixXd(trace);
+    t.variant.effects.resize(1);
+    t.fit.optimum.residuals = whiteNoise(trace.size());
+    return t;
+}
+
+constexpr int samples = 1000;
+
+TEST(Equivalents, AreWhatTheDataDoNotTellApart) {
+    const NullModel null = modelThatLeaves(whiteNoise(samples), Eigen::MatrixXd(samples, 0));
+    const Eigen::VectorXd own = sineWave(samples, 2), other = sineWave(samples, 5);
+    const double weight = independentShare(null, trial("a", 1, own).fit);
+    const auto isMember = [&](double evidence, double of, const Eigen::VectorXd& trace) {
+        return equivalents(null, {trial("a", of, own), trial("b", evidence, trace)}, 0).size() == 2;
+    };
+    EXPECT_TRUE(isMember(100 - 9.9 / weight, 100, other));
+    EXPECT_FALSE(isMember(100 - 10.1 / weight, 100, other));
+    EXPECT_TRUE(isMember(100 - 29.9 / weight, 100, own)) << "twins to three times as much";
+    EXPECT_FALSE(isMember(100 - 30.1 / weight, 100, own));
+    EXPECT_FALSE(isMember(4.9, 10, own)) << "less than half explains something else";
+}
+
+TEST(Equivalents, AreNoEquationsAndNothingThatCouldNotBeFitted) {
+    const NullModel null = modelThatLeaves(whiteNoise(samples), Eigen::MatrixXd(samples, 0));
+    const Eigen::VectorXd own = sineWave(samples, 2);
+    std::vector<Trial> trials{trial("a", 100, own), trial("b", 100, own), trial("c", 100, own)};
+    trials[1].screened.candidate.effect.proposal = "y = u";
+    trials[2].ok = false;
+    EXPECT_EQ(equivalents(null, trials, 0), std::vector<std::size_t>{0});
+}
+
+/// What has no name is not known so exactly that a fiftieth of what it explains would tell two places apart.
+TEST(EqualPlaces, AreThoseOfOneEquationWithinWhatItsFormMayBeWrongBy) {
+    const WarmSearch of(laggingBody(0));
+    const NullModel null = modelThatLeaves(whiteNoise(samples), Eigen::MatrixXd(samples, 0));
+    const Eigen::VectorXd own = sineWave(samples, 2);
+    const double weight = independentShare(null, trial("law", 1, own).fit);
+    const auto count = [&](const std::string& kind, double less) {
+        std::vector<Trial> trials{trial("law", 1000, own), trial(kind, 1000 - less / weight, own)};
+        return equalPlaces(of.search, null, trials, 0).size();
+    };
+    EXPECT_EQ(count("law", 19.9), 2u);
+    EXPECT_EQ(count("law", 20.1), 1u);
+    EXPECT_EQ(count("another", 0), 1u);
+}
+
+TEST(PassOver, SetsTheChoiceAsideAndSaysWhy) {
+    Round round;
+    round.chosen = 2;
+    round.members = {2, 3};
+    round.passOver(Text("too little"));
+    EXPECT_FALSE(round.chosen);
+    EXPECT_TRUE(round.members.empty());
+    EXPECT_EQ(round.refused.at(2), "too little");
+    round.passOver(Text("again"));
+    EXPECT_EQ(round.refused.size(), 1u);
+}
+
+}  // namespace
+}  // namespace analogon
