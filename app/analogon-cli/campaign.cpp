@@ -12,6 +12,7 @@
 #include <sstream>
 #include <thread>
 
+#include "app/analogon-cli/options.hpp"
 #include "app/analogon-cli/progress_view.hpp"
 #include "core/base/number_text.hpp"
 #include "core/base/stopwatch.hpp"
@@ -19,6 +20,8 @@
 #include "core/campaign/campaign_run.hpp"
 #include "core/campaign/campaign_summary.hpp"
 #include "core/campaign/results_table.hpp"
+#include "core/campaign/slurm/slurm_run.hpp"
+#include "core/campaign/slurm/slurm_task.hpp"
 
 namespace analogon::cli {
 
@@ -95,9 +98,9 @@ Outcome<OpenedCampaign> opened(const Options& options) {
     return OpenedCampaign{std::move(*campaign), std::move(*study)};
 }
 
-std::vector<std::string> workerCommand(const Campaign& campaign, const fs::path& out) {
-    return {fs::read_symlink("/proc/self/exe").string(), "campaign-worker", campaign.file.string(), "--out",
-            out.string()};
+/// This program as another process of the campaign.
+std::vector<std::string> processOf(Command command, const Campaign& campaign, const fs::path& out) {
+    return {fs::read_symlink("/proc/self/exe").string(), name(command), campaign.file.string(), "--out", out.string()};
 }
 
 RunOptions unitOptions() {
@@ -141,8 +144,12 @@ int collect(const Campaign& campaign, const CampaignState& state, bool isInterru
 }
 
 void tellKept(const CampaignState& state) {
-    if (state.kept() > 0) std::cerr << fmt::format("{} units are done already", state.kept()) << std::endl;
-    if (state.changed() > 0)
+    if (state.kept() == 1) std::cerr << "1 unit is done already" << std::endl;
+    if (state.kept() > 1) std::cerr << fmt::format("{} units are done already", state.kept()) << std::endl;
+    if (state.changed() == 1)
+        std::cerr << "1 unit has changed since it was worked on (study, row or recordings) and is worked on again"
+                  << std::endl;
+    else if (state.changed() > 1)
         std::cerr << fmt::format(
                          "{} units have changed since they were worked on (study, row or recordings) and are "
                          "worked on again",
@@ -150,26 +157,61 @@ void tellKept(const CampaignState& state) {
                   << std::endl;
 }
 
+int onThisMachine(const OpenedCampaign& read, CampaignState& state, const Options& options, Interrupt& interrupt) {
+    CampaignView view(options.progress, std::cerr, isatty(STDERR_FILENO) != 0);
+    CampaignRunOptions run;
+    run.worker = processOf(Command::CampaignWorker, read.campaign, state.out());
+    run.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    run.stop = interrupt.token();
+    run.report = [&](const CampaignProgress& progress) { view.show(progress); };
+    const Outcome<Done> worked = runCampaign(read.campaign, read.study, state, run);
+    interrupt.tell();
+    view.clear();
+    if (!worked) return faulty(worked.diagnostics());
+    return collect(read.campaign, state, interrupt.wasRaised());
+}
+
+int onTheCluster(const OpenedCampaign& read, CampaignState& state, const Slurm& slurm, const Options& options,
+                 Interrupt& interrupt) {
+    CampaignView view(options.progress, std::cerr, isatty(STDERR_FILENO) != 0);
+    SlurmRunOptions run;
+    run.task = processOf(Command::CampaignTask, read.campaign, state.out());
+    run.options = options.sbatch;
+    run.stop = interrupt.token();
+    run.report = [&](const CampaignProgress& progress) { view.show(progress); };
+    run.note = [&](const Text& text) {
+        view.clear();
+        std::cerr << visible(text.english()) << std::endl;
+    };
+    const Outcome<SlurmEnd> end = runOnSlurm(read.campaign, read.study, state, slurm, run);
+    interrupt.tell();
+    view.clear();
+    if (!end) return faulty(end.diagnostics());
+    if (end->isStillQueued)
+        std::cerr << fmt::format("Slurm job {} works on; \"scancel {}\" ends it", end->job.id, end->job.id)
+                  << std::endl;
+    if (end->isCancelled) std::cerr << fmt::format("Slurm job {} was cancelled", end->job.id) << std::endl;
+    return collect(read.campaign, state, interrupt.wasRaised() || end->isCancelled);
+}
+
 }  // namespace
 
 int campaign(const Options& options, Interrupt& interrupt) {
     Outcome<OpenedCampaign> read = opened(options);
     if (!read) return faulty(read.diagnostics());
-    const Campaign& campaign = read->campaign;
-    Outcome<CampaignState> state = CampaignState::take(campaign, read->study, options.out, options.retry);
+    std::optional<Slurm> slurm;
+    if (options.slurm) {
+        Outcome<Slurm> found = Slurm::find(interrupt.token());
+        if (!found) return faulty(found.diagnostics());
+        slurm = std::move(*found);
+    } else if (const std::optional<Diagnostic> job = jobAtWork(options.out)) {
+        return faulty({*job});
+    }
+    Outcome<CampaignState> state = CampaignState::take(read->campaign, read->study, options.out, options.retry);
     if (!state) return faulty(state.diagnostics());
     tellKept(*state);
-    CampaignView view(options.progress, std::cerr, isatty(STDERR_FILENO) != 0);
-    CampaignRunOptions run;
-    run.worker = workerCommand(campaign, state->out());
-    run.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    run.stop = interrupt.token();
-    run.report = [&](const CampaignProgress& progress) { view.show(progress); };
-    const Outcome<Done> worked = runCampaign(campaign, read->study, *state, run);
-    interrupt.tell();
-    view.clear();
-    if (!worked) return faulty(worked.diagnostics());
-    return collect(campaign, *state, interrupt.wasRaised());
+    return slurm ? onTheCluster(*read, *state, *slurm, options, interrupt)
+                 : onThisMachine(*read, *state, options, interrupt);
 }
 
 int campaignWorker(const Options& options) {
@@ -178,6 +220,17 @@ int campaignWorker(const Options& options) {
     const Outcome<Done> served =
         serveUnits(read->campaign, read->study, options.out, unitOptions(), std::cin, std::cout);
     return served ? static_cast<int>(done) : faulty(served.diagnostics());
+}
+
+int campaignTask(const Options& options, Interrupt& interrupt) {
+    Outcome<OpenedCampaign> read = opened(options);
+    if (!read) return faulty(read.diagnostics());
+    const Outcome<Done> worked =
+        runSlurmTask(read->campaign, read->study, options.out, options.task,
+                     processOf(Command::CampaignWorker, read->campaign, options.out), interrupt.token());
+    interrupt.tell();
+    if (!worked) return faulty(worked.diagnostics());
+    return interrupt.wasRaised() ? interrupted : done;
 }
 
 }  // namespace analogon::cli

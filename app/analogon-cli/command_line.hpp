@@ -23,6 +23,7 @@ enum class Command {
     Unpack,
     Campaign,
     CampaignWorker,
+    CampaignTask,
 };
 enum class PrintKind { None, Flat, Structure, Program };
 enum class ProgressKind { Automatic, Bar, Json, None };
@@ -50,6 +51,9 @@ struct Options {
     bool asJson{}, withValues{};                                                   // channels
     int jobs{0};                                                                   // campaign; 0: all processors
     bool retry{};                                                                  // campaign: failed units, too
+    bool slurm{};                                                                  // campaign: on the cluster
+    std::vector<std::string> sbatch;                                               // campaign --slurm: for sbatch
+    std::size_t task{};                                                            // campaign-task
     std::vector<std::filesystem::path> data;  // generate: one, or several of which the last validates
 };
 

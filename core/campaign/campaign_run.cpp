@@ -15,22 +15,6 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-/// What lies in the folder of a unit when its process has ended, or why nothing does.
-UnitRecord recordAfter(const Campaign& campaign, const CampaignTemplate& study, std::size_t unit,
-                       const std::string& death, const std::filesystem::path& out) {
-    const CampaignUnit& one = campaign.units[unit];
-    const Outcome<std::string> fingerprint = fingerprintOf(campaign, study, one);
-    const std::string expected = fingerprint ? *fingerprint : std::string();
-    // a process that dies may have ended its work before
-    if (std::optional<UnitRecord> record = readUnitRecord(out, one.name); record && record->fingerprint == expected)
-        return std::move(*record);
-    return recordFailure(one, expected,
-                         fingerprint     ? death
-                         : death.empty() ? faultLine(fingerprint.diagnostics())
-                                         : death,
-                         out);
-}
-
 /// Gives units to workers and tells of each when it has ended.
 Outcome<Done> work(const Campaign& campaign, const CampaignTemplate& study, std::vector<std::size_t> units,
                    const std::filesystem::path& out, const CampaignRunOptions& options,
@@ -55,6 +39,33 @@ Outcome<Done> work(const Campaign& campaign, const CampaignTemplate& study, std:
 }
 
 }  // namespace
+
+std::optional<UnitRecord> recordThatHolds(const Campaign& campaign, const CampaignTemplate& study, std::size_t unit,
+                                          const std::filesystem::path& out) {
+    const CampaignUnit& one = campaign.units[unit];
+    const Outcome<std::string> fingerprint = fingerprintOf(campaign, study, one);
+    std::optional<UnitRecord> record = readUnitRecord(out, one.name);
+    if (record && record->fingerprint != (fingerprint ? *fingerprint : std::string())) record.reset();
+    return record;
+}
+
+UnitRecord recordAfter(const Campaign& campaign, const CampaignTemplate& study, std::size_t unit,
+                       const std::string& death, const std::filesystem::path& out) {
+    // a process that dies may have ended its work before
+    if (std::optional<UnitRecord> record = recordThatHolds(campaign, study, unit, out)) return std::move(*record);
+    const CampaignUnit& one = campaign.units[unit];
+    const Outcome<std::string> fingerprint = fingerprintOf(campaign, study, one);
+    return recordFailure(one, fingerprint ? *fingerprint : std::string(),
+                         fingerprint     ? death
+                         : death.empty() ? faultLine(fingerprint.diagnostics())
+                                         : death,
+                         out);
+}
+
+Diagnostic tableHasChanged(const Campaign& campaign) {
+    return fileError(phrase("the table of units was changed while the campaign ran"), campaign.table.string(), 0, 0,
+                     phrase("Start the campaign again: it goes on with the units as they are now."));
+}
 
 Outcome<Done> runCampaign(const Campaign& campaign, const CampaignTemplate& study, CampaignState& state,
                           const CampaignRunOptions& options) {
@@ -92,9 +103,7 @@ Outcome<Done> serveUnits(const Campaign& campaign, const CampaignTemplate& study
         const std::string name = end == std::string::npos ? std::string() : line.substr(end + 1);
         std::size_t unit = campaign.units.size();
         std::istringstream(line) >> unit;
-        if (unit >= campaign.units.size() || campaign.units[unit].name != name)
-            return fileError(phrase("the table of units was changed while the campaign ran"), campaign.table.string(),
-                             0, 0, phrase("Start the campaign again: it goes on with the units as they are now."));
+        if (unit >= campaign.units.size() || campaign.units[unit].name != name) return tableHasChanged(campaign);
         runUnit(campaign, study, campaign.units[unit], out, options);
         answers << unit << std::endl;
     }

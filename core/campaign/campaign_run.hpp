@@ -31,6 +31,15 @@ Outcome<Done> runCampaign(const Campaign& campaign, const CampaignTemplate& stud
 Outcome<Done> serveUnits(const Campaign& campaign, const CampaignTemplate& study, const std::filesystem::path& out,
                          const RunOptions& options, std::istream& in, std::ostream& answers);
 
+/// The record of a unit as it is now; empty: it was not worked on, or has changed since.
+std::optional<UnitRecord> recordThatHolds(const Campaign& campaign, const CampaignTemplate& study, std::size_t unit,
+                                          const std::filesystem::path& out);
+/// The same when its process has ended; where there is none, a record of why is written (`death`).
+UnitRecord recordAfter(const Campaign& campaign, const CampaignTemplate& study, std::size_t unit,
+                       const std::string& death, const std::filesystem::path& out);
+
+Diagnostic tableHasChanged(const Campaign& campaign);
+
 /// The time that is left: what the units that ended took, for those that remain, over the processes.
 class TimeLeft {
 public:

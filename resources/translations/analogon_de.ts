@@ -11542,6 +11542,78 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Die Kampagne erneut starten: sie fährt mit den Exemplaren fort, wie sie jetzt sind.</translation>
     </message>
     <message>
+        <source>there is no Slurm here: &quot;{}&quot; is not among the programs of this machine</source>
+        <translation>hier gibt es kein Slurm: &quot;{}&quot; gehört nicht zu den Programmen dieses Rechners</translation>
+    </message>
+    <message>
+        <source>Start the campaign where jobs are submitted (a login node of the cluster), or work on it here, with --jobs N.</source>
+        <translation>Die Kampagne dort starten, wo Jobs eingereicht werden (ein Anmelderechner des Clusters), oder hier bearbeiten, mit --jobs N.</translation>
+    </message>
+    <message>
+        <source>Slurm does not answer: {}</source>
+        <translation>Slurm antwortet nicht: {}</translation>
+    </message>
+    <message>
+        <source>&quot;scontrol ping&quot; tells whether the controller runs.</source>
+        <translation>&quot;scontrol ping&quot; sagt, ob die Steuerung läuft.</translation>
+    </message>
+    <message>
+        <source>this Slurm takes no job arrays (MaxArraySize is {})</source>
+        <translation>dieses Slurm nimmt keine Array-Jobs (MaxArraySize ist {})</translation>
+    </message>
+    <message>
+        <source>Ask who runs the cluster, or work on the campaign here, with --jobs N.</source>
+        <translation>Den Betreiber des Clusters fragen, oder die Kampagne hier bearbeiten, mit --jobs N.</translation>
+    </message>
+    <message>
+        <source>Slurm does not take the job: {}</source>
+        <translation>Slurm nimmt den Job nicht an: {}</translation>
+    </message>
+    <message>
+        <source>What follows --slurm goes to sbatch, for example --slurm &quot;--partition=short --time=60&quot;.</source>
+        <translation>Was auf --slurm folgt, geht an sbatch, zum Beispiel --slurm &quot;--partition=short --time=60&quot;.</translation>
+    </message>
+    <message>
+        <source>no unit is planned for this task of the array</source>
+        <translation>für diese Aufgabe des Arrays ist kein Exemplar vorgesehen</translation>
+    </message>
+    <message>
+        <source>&quot;analogon-cli campaign&quot; with --slurm submits it.</source>
+        <translation>&quot;analogon-cli campaign&quot; mit --slurm reicht sie ein.</translation>
+    </message>
+    <message>
+        <source>Slurm job {} of an earlier run is followed</source>
+        <translation>der Slurm-Job {} eines früheren Laufs wird verfolgt</translation>
+    </message>
+    <message>
+        <source>Slurm job {}: {} units in {} tasks</source>
+        <translation>Slurm-Job {}: {} Exemplare in {} Aufgaben</translation>
+    </message>
+    <message>
+        <source>the tasks of Slurm job {} could not begin: {}</source>
+        <translation>die Aufgaben des Slurm-Jobs {} konnten nicht beginnen: {}</translation>
+    </message>
+    <message>
+        <source>{} tasks of Slurm job {} ended before their units were done; these are submitted again</source>
+        <translation>{} Aufgaben des Slurm-Jobs {} endeten, bevor ihre Exemplare fertig waren; diese werden noch einmal eingereicht</translation>
+    </message>
+    <message>
+        <source>the tasks of Slurm job {} could not begin</source>
+        <translation>die Aufgaben des Slurm-Jobs {} konnten nicht beginnen</translation>
+    </message>
+    <message>
+        <source>This program, the campaign, its recordings and &quot;{}&quot; must lie where every node sees them.</source>
+        <translation>Dieses Programm, die Kampagne, ihre Aufzeichnungen und &quot;{}&quot; müssen dort liegen, wo jeder Knoten sie sieht.</translation>
+    </message>
+    <message>
+        <source>Slurm job {} works on this campaign</source>
+        <translation>der Slurm-Job {} arbeitet an dieser Kampagne</translation>
+    </message>
+    <message>
+        <source>Follow it with --slurm, or end it with &quot;scancel {}&quot;.</source>
+        <translation>Mit --slurm verfolgen, oder mit &quot;scancel {}&quot; beenden.</translation>
+    </message>
+    <message>
         <source>Give a new or an empty directory, or that of an earlier campaign.</source>
         <translation>Ein neues oder leeres Verzeichnis angeben oder das einer früheren Kampagne.</translation>
     </message>

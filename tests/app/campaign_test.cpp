@@ -4,54 +4,15 @@
 #include <chrono>
 #include <cstdio>
 #include <random>
-#include <set>
 #include <thread>
 
-#include "tests/app/command_process.hpp"
-#include "tests/core/campaign/campaign_folder.hpp"
+#include "tests/app/campaign_command_line.hpp"
 
 namespace analogon::cli {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-class CampaignCommandLine : public CampaignFolder {
-protected:
-    void SetUp() override {
-        CampaignFolder::SetUp();
-        campaign(R"({"unit": "serial", "files": {"step": "file"}, "attributes": ["supplier"]})");
-    }
-    void units(int count) {
-        std::string table = "serial,file,supplier\n";
-        for (int i = 0; i < count; ++i) {
-            const std::string name = "U" + std::to_string(i);
-            record(name + ".csv", 1 + 0.1 * i, 0.3 + 0.02 * i);
-            table += name + "," + name + ".csv," + (i % 2 ? "A" : "B") + "\n";
-        }
-        write("units.csv", table);
-    }
-    std::vector<std::string> arguments(const std::string& out, int jobs = 2) const {
-        return {"campaign", at("campaign.json").string(), "--out", at(out).string(), "--jobs", std::to_string(jobs)};
-    }
-    int run(const std::string& out, int jobs = 2) {
-        Process process(arguments(out, jobs), folder_);
-        const int status = process.wait();
-        said_ = process.out() + process.err();
-        return status;
-    }
-    /// When the record of each unit was written.
-    std::map<std::string, fs::file_time_type> records(const std::string& out) const {
-        std::map<std::string, fs::file_time_type> times;
-        std::error_code code;
-        for (fs::directory_iterator entry(at(out) / "units", code), end; !code && entry != end; entry.increment(code))
-            if (fs::exists(entry->path() / "unit.json"))
-                times[entry->path().filename()] = fs::last_write_time(entry->path() / "unit.json");
-        return times;
-    }
-
-    std::string said_;
-};
 
 TEST_F(CampaignCommandLine, LeavesARowAndAReportOfEachUnitWhateverTheNumberOfJobs) {
     units(5);
@@ -99,7 +60,7 @@ TEST_F(CampaignCommandLine, WorksAgainOnWhatChangedAndOnNothingElse) {
     const auto before = records("out");
     record("U2.csv", 4, 0.9);
     ASSERT_EQ(run("out"), 0) << said_;
-    EXPECT_THAT(said_, HasSubstr("1 units have changed since they were worked on"));
+    EXPECT_THAT(said_, HasSubstr("1 unit has changed since it was worked on"));
     const auto after = records("out");
     for (const auto& [unit, time] : before) EXPECT_EQ(after.at(unit) == time, unit != "U2") << unit;
 }
