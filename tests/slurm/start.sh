@@ -7,7 +7,8 @@
 # As root, with Debian's slurm-wlm and munge. All files are in one temporary directory, which goes at the end; nothing
 # of the machine's own Slurm or munge is read or changed. The command finds in its environment SLURM_CONF,
 # ANALOGON_SLURM (that directory, with the process of each daemon in controller.pid, node1.pid and node2.pid) and
-# ANALOGON_SLURM_START (this script: "start.sh node N" starts a node anew, "start.sh controller" the controller).
+# ANALOGON_SLURM_START (this script: "start.sh node N" starts a node anew, "start.sh controller" the controller, and
+# "start.sh resume" takes nodes into service that Slurm drained).
 # CPUS of each node and MAX_ARRAY may be set.
 set -euo pipefail
 
@@ -23,7 +24,8 @@ SLURMCTLD=$(command -v slurmctld) SLURMD=$(command -v slurmd)
 case "${1:-}" in
 node) start_node "$2"; exit ;;
 controller) start_controller; exit ;;
-"") sed -n '2,12s/^# \?//p' "$0"; exit 2 ;;
+resume) scontrol update nodename=node1,node2 state=resume 2>/dev/null || true; exit ;;
+"") sed -n '2,13s/^# \?//p' "$0"; exit 2 ;;
 esac
 
 export ANALOGON_SLURM ANALOGON_SLURM_START SLURM_CONF
