@@ -11606,6 +11606,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Dieses Programm, die Kampagne, ihre Aufzeichnungen und &quot;{}&quot; müssen dort liegen, wo jeder Knoten sie sieht.</translation>
     </message>
     <message>
+        <source>Slurm job {} waits: {}</source>
+        <translation>der Slurm-Job {} wartet: {}</translation>
+    </message>
+    <message>
         <source>Slurm job {} works on this campaign</source>
         <translation>der Slurm-Job {} arbeitet an dieser Kampagne</translation>
     </message>

@@ -145,6 +145,7 @@ Outcome<std::map<std::size_t, QueuedTask>> Slurm::queued(const SlurmJob& job, co
         task.isRunning = word == "RUNNING" || word == "COMPLETING";
         task.isStuck = why.find("launch failed requeued held") != std::string::npos ||
                        why.find("launch_failed_requeued_held") != std::string::npos || why == "JobHoldMaxRequeue";
+        if (!task.isRunning) task.reason = why;
         for (const std::size_t number : tasksNamed(line.substr(0, state), job.id)) tasks[number] = task;
     }
     return tasks;

@@ -21,7 +21,8 @@ struct SlurmJob {
 /// A task of an array that has not ended.
 struct QueuedTask {
     bool isRunning{};
-    bool isStuck{};  // Slurm holds it after it could not be started: nothing will become of it
+    bool isStuck{};      // Slurm holds it after it could not be started: nothing will become of it
+    std::string reason;  // why it waits ("Resources")
 };
 
 /// The cluster at hand, by the programs that its users have.

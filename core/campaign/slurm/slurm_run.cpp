@@ -6,6 +6,7 @@
 #include <array>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include "core/base/regular_file.hpp"
 #include "core/base/stopwatch.hpp"
@@ -126,6 +127,7 @@ private:
             if (queued) {
                 isSilent = false;
                 take(*queued);
+                tellWhyItWaits(*queued);
                 tell();
                 if (queued->empty()) return;
             } else if (!isSilent) {
@@ -137,6 +139,17 @@ private:
             while (secondsSince(asked) < pause && !options_.stop.stop_requested())
                 std::this_thread::sleep_for(std::chrono::milliseconds(20));
         }
+    }
+
+    /// Why nothing goes on, where that is more than that others come first; once for each reason.
+    void tellWhyItWaits(const std::map<std::size_t, QueuedTask>& queued) {
+        if (queued.empty()) return;
+        for (const auto& [task, one] : queued)
+            if (one.isRunning) return;
+        const std::string& reason = queued.begin()->second.reason;
+        for (const char* usual : {"", "None", "Priority", "Resources", "BeginTime"})
+            if (reason == usual) return;
+        if (std::exchange(reason_, reason) != reason) note(phrase("Slurm job {} waits: {}", plan_.job.id, reason));
     }
 
     /// What the queue says of the tasks: those that left it are looked at, once.
@@ -259,6 +272,7 @@ private:
     SlurmPlan plan_;
     std::vector<int> lost_;          // of each unit
     std::vector<bool> isCollected_;  // of each task
+    std::string reason_;             // that was told
     std::set<std::size_t> stuck_;    // tasks that were given up
     bool wasSeen_{};                 // in the queue, by this run
     std::size_t ended_{};            // units, in this run
