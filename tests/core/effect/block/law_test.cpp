@@ -42,7 +42,7 @@ TEST(LikelyLaws, AreWrittenForWhatAFlowLacks) {
     const EffectClass& best = laws.front().candidate.effect;
     EXPECT_EQ(best.kind, "proposal.law");
     EXPECT_EQ(best.className.find("Missing"), 0u);
-    EXPECT_NE(best.className.find('7'), std::string::npos) << "numbered on from the laws that are written";
+    EXPECT_NE(best.className.find('8'), std::string::npos) << "numbered on from the seven that are written";
     const auto ofBody = std::find_if(laws.begin(), laws.end(), [](const Law& law) {
         return law.candidate.effect.className.starts_with("MissingHeatFlow");
     });

@@ -33,18 +33,6 @@ TEST(HeldValues, AreTheBetterAccountWhereNothingElseIsFound) {
     EXPECT_TRUE(takeOutForHeld(right.search, noise, {}).empty());
 }
 
-TEST(HeldValues, TakeOutTheOneEffectThatOnlyImitatesThem) {
-    WarmSearch of(bodyHeldAt(6, {joint}));
-    Node node = nodeThatChose(of, "sensor.lag");
-    const HeldValues held = heldValues(of.search, node);
-    ASSERT_TRUE(held.contains(node.steps[0].order));
-    const std::vector<HeldInstead> values = takeOutForHeld(of.search, node, held);
-    ASSERT_FALSE(values.empty());
-    EXPECT_EQ(values[0].parameter, "body.C");
-    EXPECT_TRUE(node.steps.empty());
-    EXPECT_TRUE(node.null.variant.effects.empty());
-}
-
 TEST(HeldValues, AreNotAskedForBesideAParameterThatChanges) {
     WarmSearch of(bodyHeldAt(6, {joint}));
     Node node{of.base, {}};

@@ -89,17 +89,6 @@ TEST(TryBest, RanksByEvidenceAndTriesNothingBelowTheLeastScore) {
     EXPECT_TRUE(tryBest(of.search, of.base, screened, 1e9).empty());
 }
 
-TEST(ContinueBest, TakesAFitThatWasCutShortToItsEnd) {
-    WarmSearch of(laggingBody(3));
-    const std::vector<Screened> screened = screenAll(of.search, of.base);
-    const Screened& lag = screenedOf(screened, "sensor.lag");
-    std::vector<Trial> trials = tryThese(of.search, of.base, {&lag}, 1, 1);
-    const std::vector<Trial> whole = tryThese(of.search, of.base, {&lag}, 24, 1);
-    ASSERT_GT(trials.front().sumOfSquares(), whole.front().sumOfSquares() + 20) << "one step alone";
-    continueBest(of.search, of.base, trials);
-    EXPECT_NEAR(trials.front().sumOfSquares(), whole.front().sumOfSquares(), 10);
-}
-
 /// A trial that ended so far behind what another one has reached.
 TEST(RetryNear, BeginsOnceMoreWhereATrialMayHaveBeenFittedFromFartherAway) {
     WarmSearch of(laggingBody(3));
