@@ -4,6 +4,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "core/base/owned_directory.hpp"
 #include "core/base/stopwatch.hpp"
 #include "core/campaign/unit_run.hpp"
 #include "core/campaign/worker_pool.hpp"
@@ -91,6 +92,8 @@ Outcome<Done> runCampaign(const Campaign& campaign, const CampaignTemplate& stud
         });
     for (std::size_t i = 0; i < campaign.units.size(); ++i)
         if (state.of(i) == UnitState::Running) state.lose(i);
+    // directories of a worker that was killed right after it had put its results in their place; our own alone
+    removeAbandoned(state.out() / "units", ".");
     const Outcome<Done> written = state.write(campaign);
     return worked ? written : worked;
 }
