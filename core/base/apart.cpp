@@ -1,19 +1,17 @@
 #include "core/base/apart.hpp"
 
-#include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <cstring>
 
-#include "core/base/file_handle.hpp"
+#include "core/base/pipe.hpp"
 
 namespace analogon {
 
@@ -42,15 +40,10 @@ constexpr int pollMilliseconds = 20;  // between two looks at whether to stop
 
 /// Everything that comes until the other end is closed; false: stopped before.
 bool readAll(int in, const Progress& progress, std::string& bytes) {
-    std::array<char, 1 << 16> part{};
     for (;;) {
         if (progress.stopRequested()) return false;
         pollfd ready{in, POLLIN, 0};
-        if (poll(&ready, 1, pollMilliseconds) <= 0) continue;
-        const ssize_t count = read(in, part.data(), part.size());
-        if (count == 0) return true;
-        if (count > 0) bytes.append(part.data(), static_cast<std::size_t>(count));
-        if (count < 0 && errno != EINTR && errno != EAGAIN) return true;
+        if (poll(&ready, 1, pollMilliseconds) > 0 && !readSome(in, bytes)) return true;
     }
 }
 
@@ -64,23 +57,22 @@ bool awaitSuccess(pid_t process) {
 
 }  // namespace
 
-Outcome<std::string> runApart(const std::function<std::string()>& work, double mostSeconds, const Text& whenItEnds,
-                              const Progress& progress) {
-    std::array<int, 2> ends{};
-    const bool hasPipe = pipe2(ends.data(), O_CLOEXEC) == 0;
-    FileHandle in(hasPipe ? ends[0] : -1), out(hasPipe ? ends[1] : -1);
-    const pid_t process = hasPipe ? fork() : -1;
-    if (process == 0) workAndEnd(work, mostSeconds, out.number());
+Outcome<std::string> runApart(const std::function<std::string()>& work, double mostSeconds,
+                              const Diagnostic& whenItEnds, const Progress& progress) {
+    const std::string& file = whenItEnds.place.file;
+    std::optional<Pipe> pipe = Pipe::make();
+    const pid_t process = pipe ? fork() : -1;
+    if (process == 0) workAndEnd(work, mostSeconds, pipe->write.number());
     if (process < 0)
-        return fileError(phrase("the system refuses what the program asks for: {}", std::strerror(errno)), {}, 0, 0,
+        return fileError(phrase("the system refuses what the program asks for: {}", std::strerror(errno)), file, 0, 0,
                          phrase("Check the limits of the system (ulimit -a) and the space on the disk."));
-    out.reset();
+    pipe->write.reset();
     std::string bytes;
-    const bool isWhole = readAll(in.number(), progress, bytes);
+    const bool isWhole = readAll(pipe->read.number(), progress, bytes);
     if (!isWhole) kill(process, SIGKILL);
     const bool ended = awaitSuccess(process);
-    if (!isWhole) return fileError(phrase("reading was stopped"), {});
-    if (!ended) return fileError(whenItEnds, {});
+    if (!isWhole) return fileError(phrase("reading was stopped"), file);
+    if (!ended) return whenItEnds;
     return bytes;
 }
 

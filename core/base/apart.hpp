@@ -12,9 +12,10 @@ namespace analogon {
 /// Work of a library that damaged input can bring down, in a process of its own: a copy of this one, whose end costs
 /// nothing here. `work` gives bytes; it must take no lock that another thread may hold at this moment.
 /// Faults: the process ended by a signal, without enough memory, or after `mostSeconds` of processor time (the input is
-/// damaged; the message is `whenItEnds`), `progress` asked to stop ("reading was stopped"), no process can be made.
-Outcome<std::string> runApart(const std::function<std::string()>& work, double mostSeconds, const Text& whenItEnds,
-                              const Progress& progress = {});
+/// damaged; that is `whenItEnds`), `progress` asked to stop ("reading was stopped"), no process can be made: in the
+/// file of `whenItEnds`.
+Outcome<std::string> runApart(const std::function<std::string()>& work, double mostSeconds,
+                              const Diagnostic& whenItEnds, const Progress& progress = {});
 
 /// [s] of processor time that reading a file may take: far more than it does.
 double mostReadingTime(const std::filesystem::path& file);

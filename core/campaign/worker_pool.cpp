@@ -1,33 +1,22 @@
 #include "core/campaign/worker_pool.hpp"
 
-#include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <csignal>
 #include <cstring>
 
 #include "core/base/file_step.hpp"
+#include "core/base/pipe.hpp"
 
 namespace analogon {
 
 namespace {
 
 constexpr std::size_t lastWords = 2000;  // [byte] of what a worker says that are kept
-
-struct Pipe {
-    FileHandle read, write;
-};
-
-Outcome<Pipe> makePipe() {
-    int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) return error(phrase("no process can be started: {}", lastFault().message()));
-    return Pipe{FileHandle(ends[0]), FileHandle(ends[1])};
-}
 
 /// Everything between fork and exec: system calls alone.
 [[noreturn]] void becomeWorker(char* const* arguments, int in, int out, int error, pid_t parent) {
@@ -39,14 +28,6 @@ Outcome<Pipe> makePipe() {
     dup2(error, STDERR_FILENO);
     execv(arguments[0], arguments);
     _exit(127);
-}
-
-/// What is there; false: nothing will come any more.
-bool readInto(int handle, std::string& text) {
-    std::array<char, 4096> buffer;
-    const ssize_t count = ::read(handle, buffer.data(), buffer.size());
-    if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
-    return count > 0;
 }
 
 }  // namespace
@@ -68,9 +49,8 @@ bool WorkerPool::isFree() const {
 }
 
 Outcome<Done> WorkerPool::start(Worker& worker) {
-    Outcome<Pipe> in = makePipe(), out = makePipe(), error = makePipe();
-    for (const auto* pipe : {&in, &out, &error})
-        if (!*pipe) return pipe->diagnostics();
+    std::optional<Pipe> in = Pipe::make(), out = Pipe::make(), error = Pipe::make();
+    if (!in || !out || !error) return analogon::error(phrase("no process can be started: {}", lastFault().message()));
     std::vector<char*> arguments;
     for (std::string& argument : command_) arguments.push_back(argument.data());
     arguments.push_back(nullptr);
@@ -102,7 +82,7 @@ Outcome<Done> WorkerPool::give(std::size_t unit, const std::string& name) {
 }
 
 std::string WorkerPool::bury(Worker& worker) {
-    while (readInto(worker.error.number(), worker.words))
+    while (readSome(worker.error.number(), worker.words))
         ;
     if (worker.words.size() > lastWords) worker.words.erase(0, worker.words.size() - lastWords);
     int status = 0;
@@ -142,10 +122,10 @@ Outcome<std::vector<WorkerEvent>> WorkerPool::wait(std::chrono::milliseconds tim
     if (poll(watched.data(), watched.size(), static_cast<int>(time.count())) <= 0) return events;
     for (std::size_t i = 0; i < watched.size(); i += 2) {
         Worker& worker = *owners[i];
-        if (watched[i + 1].revents & POLLIN) readInto(worker.error.number(), worker.words);
+        if (watched[i + 1].revents & POLLIN) readSome(worker.error.number(), worker.words);
         if (worker.words.size() > 2 * lastWords) worker.words.erase(0, worker.words.size() - lastWords);
         if (watched[i].revents == 0) continue;
-        const bool isAlive = readInto(worker.out.number(), worker.answer);
+        const bool isAlive = readSome(worker.out.number(), worker.answer);
         read(worker, events);
         if (isAlive) continue;
         const std::string death = bury(worker);

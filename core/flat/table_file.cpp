@@ -135,13 +135,10 @@ std::string readMatlab(const std::string& file, const std::string& name) {
 
 /// A matrix of a MATLAB file; `name.field` for a field of a structure. A damaged file can bring its library down.
 Outcome<Matrix> fromMatlab(const std::string& file, const std::string& name) {
-    Outcome<std::string> bytes = runApart([&] { return readMatlab(file, name); }, mostReadingTime(file),
-                                          phrase("the file is damaged: it cannot be read as a MATLAB file"));
-    if (!bytes) {
-        Diagnostic fault = bytes.diagnostics()[0];
-        fault.place.file = file;
-        return fault;
-    }
+    const Outcome<std::string> bytes =
+        runApart([&] { return readMatlab(file, name); }, mostReadingTime(file),
+                 fileError(phrase("the file is damaged: it cannot be read as a MATLAB file"), file));
+    if (!bytes) return bytes.diagnostics();
     if (*bytes == only(MatlabTable::NoFile)) return fileError(phrase("the file is no MATLAB file"), file);
     if (*bytes == only(MatlabTable::NoTable)) return fileError(phrase("the file holds no table \"{}\"", name), file);
     std::vector<double> numbers((bytes->size() - 1) / sizeof(double));

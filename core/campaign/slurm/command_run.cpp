@@ -11,29 +11,11 @@
 #include <cstdlib>
 #include <utility>
 
-#include "core/base/file_handle.hpp"
+#include "core/base/pipe.hpp"
 
 namespace analogon {
 
 namespace {
-
-/// Both ends of a pipe.
-struct Channel {
-    FileHandle read{}, write{};
-
-    static Channel make() {
-        int ends[2];
-        if (pipe2(ends, O_CLOEXEC) != 0) return Channel();
-        return {FileHandle(ends[0]), FileHandle(ends[1])};
-    }
-    /// Takes what is there; false: nothing will come any more.
-    bool take(std::string& text) const {
-        std::array<char, 65536> buffer;
-        const ssize_t count = ::read(read.number(), buffer.data(), buffer.size());
-        if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
-        return count > 0;
-    }
-};
 
 /// Everything between fork and exec: system calls alone.
 [[noreturn]] void becomeProgram(char* const* arguments, int out, int error) {
@@ -47,8 +29,7 @@ struct Channel {
 }
 
 /// Both streams until they end, or the program is ended since the work is to stop.
-void listenTo(pid_t process, const Channel& out, const Channel& error, CommandOutput& output,
-              const std::stop_token& stop) {
+void listenTo(pid_t process, const Pipe& out, const Pipe& error, CommandOutput& output, const std::stop_token& stop) {
     std::array<pollfd, 2> watched{pollfd{out.read.number(), POLLIN, 0}, pollfd{error.read.number(), POLLIN, 0}};
     while (watched[0].fd >= 0 || watched[1].fd >= 0) {
         if (stop.stop_requested()) {
@@ -56,8 +37,8 @@ void listenTo(pid_t process, const Channel& out, const Channel& error, CommandOu
             return;
         }
         if (poll(watched.data(), watched.size(), 20) <= 0) continue;
-        if (watched[0].revents != 0 && !out.take(output.out)) watched[0].fd = -1;
-        if (watched[1].revents != 0 && !error.take(output.error)) watched[1].fd = -1;
+        if (watched[0].revents != 0 && !readSome(out.read.number(), output.out)) watched[0].fd = -1;
+        if (watched[1].revents != 0 && !readSome(error.read.number(), output.error)) watched[1].fd = -1;
     }
 }
 
@@ -85,20 +66,20 @@ std::optional<std::filesystem::path> programOnPath(const std::string& name) {
 
 CommandOutput runCommand(const std::vector<std::string>& command, const std::stop_token& stop) {
     CommandOutput output;
-    Channel out = Channel::make(), error = Channel::make();
+    std::optional<Pipe> out = Pipe::make(), error = Pipe::make();
     std::vector<std::string> words = command;
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
-    const pid_t process = out.read.isOpen() && error.read.isOpen() ? fork() : -1;
+    const pid_t process = out && error ? fork() : -1;
     if (process < 0) {
         output.error = "no process can be started";
         return output;
     }
-    if (process == 0) becomeProgram(arguments.data(), out.write.number(), error.write.number());
-    out.write.reset();
-    error.write.reset();
-    listenTo(process, out, error, output, stop);
+    if (process == 0) becomeProgram(arguments.data(), out->write.number(), error->write.number());
+    out->write.reset();
+    error->write.reset();
+    listenTo(process, *out, *error, output, stop);
     int status = 0;
     waitpid(process, &status, 0);
     if (WIFEXITED(status)) output.status = WEXITSTATUS(status);

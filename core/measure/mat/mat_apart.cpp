@@ -20,14 +20,10 @@ Outcome<Channels> findChannels73(const std::string& file) {
 
 Outcome<std::string> readApart(const std::function<std::string()>& work, const std::string& file,
                                const Progress& progress) {
-    Outcome<std::string> bytes =
-        runApart(work, mostReadingTime(file), phrase("the file is damaged: it cannot be read as MATLAB 7.3"), progress);
-    if (bytes) return bytes;
-    Diagnostic fault = bytes.diagnostics()[0];
-    fault.place.file = file;
-    if (fault.hint.empty() && !progress.stopRequested())
-        fault.hint = phrase("copy it again from where it was recorded");
-    return fault;
+    return runApart(work, mostReadingTime(file),
+                    fileError(phrase("the file is damaged: it cannot be read as MATLAB 7.3"), file, 0, 0,
+                              phrase("copy it again from where it was recorded")),
+                    progress);
 }
 
 }  // namespace

@@ -14,14 +14,14 @@ namespace {
 
 TEST(Apart, GivesTheBytesOfTheWork) {
     const std::string many(3'000'000, 'x');  // more than a pipe holds
-    const Outcome<std::string> outcome = runApart([&] { return many; }, 10, "ended");
+    const Outcome<std::string> outcome = runApart([&] { return many; }, 10, fileError("ended", "a.mat"));
     ASSERT_TRUE(outcome);
     EXPECT_EQ(*outcome, many);
 }
 
 TEST(Apart, ChangesNothingHere) {
     int value = 1;
-    ASSERT_TRUE(runApart([&] { return std::to_string(value = 2); }, 10, "ended"));
+    ASSERT_TRUE(runApart([&] { return std::to_string(value = 2); }, 10, fileError("ended", "a.mat")));
     EXPECT_EQ(value, 1);
 }
 
@@ -33,14 +33,15 @@ TEST(Apart, AnEndByASignalIsAFault) {
                 kill(getpid(), number);
                 return "went on";
             },
-            10, "the file is damaged");
+            10, fileError("the file is damaged", "a.mat"));
         ASSERT_FALSE(outcome) << number;
         EXPECT_EQ(outcome.diagnostics()[0].message, "the file is damaged");
+        EXPECT_EQ(outcome.diagnostics()[0].place.file, "a.mat");
     }
 }
 
 TEST(Apart, AnExceptionIsAFault) {
-    EXPECT_FALSE(runApart([]() -> std::string { throw std::bad_alloc(); }, 10, "ended"));
+    EXPECT_FALSE(runApart([]() -> std::string { throw std::bad_alloc(); }, 10, fileError("ended", "a.mat")));
 }
 
 TEST(Apart, IsStoppedWhileItWorks) {
@@ -54,7 +55,7 @@ TEST(Apart, IsStoppedWhileItWorks) {
         []() -> std::string {
             for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
         },
-        10, "ended", Progress(stop.get_token(), {}));
+        10, fileError("ended", "a.mat"), Progress(stop.get_token(), {}));
     ASSERT_FALSE(outcome);
     EXPECT_EQ(outcome.diagnostics()[0].message, "reading was stopped");
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
@@ -69,7 +70,7 @@ TEST(Apart, WorkWithoutAnEndIsAFault) {
                 i = next % 1000;
             }
         },
-        1, "the file is damaged");
+        1, fileError("the file is damaged", "a.mat"));
     ASSERT_FALSE(outcome);
     EXPECT_EQ(outcome.diagnostics()[0].message, "the file is damaged");
 }

@@ -5,36 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/core/effect/block/candidates_of.hpp"
-#include "tests/core/effect/warm_body.hpp"
+#include "tests/core/effect/heated_runs.hpp"
 
 namespace analogon {
 namespace {
 
-constexpr int samples = 400, pieces = 40;
-constexpr double interval = 0.25, capacity = 4;
-
-Recording heated(const std::string& name) {
-    Recording r = warmBodyRecording(name, samples);
-    r.inputs.setConstant(8);
-    for (int k = 0; k < samples; ++k) {
-        const double t = interval * k, noise = 0.02 * std::sin(12.9898 * k) * std::cos(78.233 * k);
-        r.time.push_back(t);
-        r.outputs(0, k) = 300 + 40 * (1 - std::exp(-t * 0.2 / capacity)) + noise;
-    }
-    return r;
-}
-
-/// A heated body, fitted to two recordings.
-NullModel fitted() {
-    EstimationTask task = warmBody({{"joint.G", "", 0.3, 0.01, 10}});
-    for (const char* name : {"run 1", "run 2"}) task.recordings.push_back(heated(name));
-    return fittedModel(task);
-}
+constexpr int samples = HeatedRuns::samples, pieces = 40;
+constexpr double interval = HeatedRuns::interval, capacity = HeatedRuns::capacity;
 
 /// What a flow out of the body does to the reading, of hats that sum to 1 W: of each recording its own, in order.
 TEST(FlowResponses, AreThoseOfEachPieceOfAFlow) {
-    const NullModel null = fitted();
+    const NullModel null = HeatedRuns::fitted(2);
     const double G = null.fit.estimates.front().value;
     const std::vector<FlowResponse> responses = flowResponses(null, pieces, {}, {});
     const auto ofFlow = std::find_if(responses.begin(), responses.end(), [](const auto& r) { return r.isFlow; });
@@ -62,7 +43,7 @@ TEST(FlowResponses, AreThoseOfEachPieceOfAFlow) {
 }
 
 TEST(FlowResponses, OfASensorsErrorShowOnItsOwnChannelAlone) {
-    const NullModel null = fitted();
+    const NullModel null = HeatedRuns::fitted(2);
     const std::vector<FlowResponse> responses = flowResponses(null, pieces, {}, {}, {"output T"});
     ASSERT_EQ(responses.size(), 1u) << "no other was wanted";
     EXPECT_EQ(responses[0].place, "output T");

@@ -2,38 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "tests/core/effect/warm_body.hpp"
+#include "tests/core/effect/heated_runs.hpp"
 
 namespace analogon {
 namespace {
 
-constexpr int samples = 400;
-constexpr double interval = 0.25, capacity = 4;
-
-Recording heated(const std::string& name) {
-    Recording r = warmBodyRecording(name, samples);
-    r.inputs.setConstant(8);
-    for (int k = 0; k < samples; ++k) {
-        const double t = interval * k, noise = 0.02 * std::sin(12.9898 * k) * std::cos(78.233 * k);
-        r.time.push_back(t);
-        r.outputs(0, k) = 300 + 40 * (1 - std::exp(-t * 0.2 / capacity)) + noise;
-    }
-    return r;
-}
-
-/// A heated body, fitted to so many recordings.
-NullModel fitted(int recordings) {
-    EstimationTask task = warmBody({{"joint.G", "", 0.3, 0.01, 10}});
-    for (int i = 0; i < recordings; ++i) task.recordings.push_back(heated("run " + std::to_string(i + 1)));
-    Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, {}, {});
-    EXPECT_TRUE(null) << format(null.diagnostics());
-    return null ? std::move(*null) : NullModel();
-}
-
 TEST(NullModel, HasStepsForWhatIsNotLinearBesideALinearModel) {
-    const NullModel null = fitted(1);
+    const NullModel null = HeatedRuns::fitted(1);
     ASSERT_EQ(null.fit.plans.size(), 1u);
     EXPECT_EQ(null.fit.plans[0].method, GridMethod::Exact);
     const StepsBeside& steps = null.steps({}, {});
@@ -62,7 +37,7 @@ end Radiating;
 }
 
 TEST(NullModel, ObservesWhatIsSwitchedOffAlongItsOwnStates) {
-    const NullModel null = fitted(2);
+    const NullModel null = HeatedRuns::fitted(2);
     const Outcome<PreparedTask> held = prepareHeld(null.variant, {}, null.noise);
     ASSERT_TRUE(held) << format(held.diagnostics());
     const std::vector<Trajectory> seen = observe(null, *held, {"joint.Q_flow", "body.T"}, {});
@@ -78,7 +53,7 @@ TEST(NullModel, ObservesWhatIsSwitchedOffAlongItsOwnStates) {
 }
 
 TEST(NullModel, WithAnotherFitKnowsNothingOfTheFirst) {
-    const NullModel null = fitted(1);
+    const NullModel null = HeatedRuns::fitted(1);
     const ScoresBeside& scores = null.scores();
     EXPECT_EQ(&scores, &null.scores()) << "found once";
     FitResult moved = null.fit;
