@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/plot/time_keys.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
@@ -396,35 +397,12 @@ void TimePlot::wheelEvent(QWheelEvent* event) {
 }
 
 void TimePlot::zoom(double about, double factor) {
-    Q_EMIT timeRangeWanted(about - (about - from_) * factor, about + (to_ - about) * factor);
+    const TimeView range = TimeView{from_, to_}.zoomed(about, factor);
+    Q_EMIT timeRangeWanted(range.from, range.to);
 }
 
 void TimePlot::keyPressEvent(QKeyEvent* event) {
-    constexpr double step = 0.01, shift = 0.1, closer = 0.8;  // parts of the range
-    const double span = to_ - from_;
-    const bool hasPointer = cursor_ && *cursor_ >= from_ && *cursor_ <= to_;
-    const double pointer = hasPointer ? *cursor_ : (from_ + to_) / 2;
-    switch (event->key()) {
-        case Qt::Key_Left:
-        case Qt::Key_Right: {
-            const double sign = event->key() == Qt::Key_Left ? -1 : 1;
-            if (event->modifiers() & Qt::ControlModifier)
-                Q_EMIT timeRangeWanted(from_ + sign * shift * span, to_ + sign * shift * span);
-            else
-                Q_EMIT pointedAt(std::clamp(pointer + sign * step * span, from_, to_));
-            return;
-        }
-        case Qt::Key_Plus:
-        case Qt::Key_Minus:
-            return zoom(pointer, event->key() == Qt::Key_Plus ? closer : 1 / closer);
-        case Qt::Key_Return:
-        case Qt::Key_Enter:
-            return Q_EMIT markWanted(pointer);
-        case Qt::Key_Home:
-            return Q_EMIT allWanted();
-        default:
-            QWidget::keyPressEvent(event);
-    }
+    if (!answerTimeKey(*this, *event, {from_, to_, cursor_})) QWidget::keyPressEvent(event);
 }
 
 void TimePlot::focusInEvent(QFocusEvent* event) {
