@@ -7,7 +7,8 @@
 //
 //   generate_cases --self-check N [--seed N]
 //
-// Classes: none, none-coloured, none-disturbed, single, double, outside. What is not given is drawn at random.
+// Classes: none, none-coloured, none-disturbed, single, single-disturbed, double, outside. What is not given is drawn
+// at random; single-disturbed comes only when it is asked for.
 
 #include <chrono>
 #include <cstdio>
@@ -40,8 +41,8 @@ public:
         for (int attempt = 0; attempt < 30; ++attempt) {
             case_ = Case{};
             case_.name = name;
-            case_.cls = cls_.starts_with("none") ? "none" : cls_;
-            case_.variant = cls_.starts_with("none-") ? cls_.substr(5) : "";
+            case_.cls = cls_.substr(0, cls_.find('-'));
+            case_.variant = case_.cls.size() < cls_.size() ? cls_.substr(case_.cls.size() + 1) : "";
             if (!prepare() || !hide()) continue;
             // a winding may run away thermally in the one recording and not in the other
             if (record(case_.train) && record(case_.validation)) return case_;
@@ -101,7 +102,9 @@ private:
             ok = single(refit, catalogue.outside(random_));
         } else {
             const auto proposals = catalogue.inside();
-            ok = case_.cls == "double" ? pairOf(refit, proposals) : single(refit, proposals);
+            ok = case_.cls == "double"          ? pairOf(refit, proposals)
+                 : case_.variant == "disturbed" ? besideDisturbance(refit, proposals, catalogue.disturbance())
+                                                : single(refit, proposals);
         }
         if (ok)
             describe(refit,
@@ -191,6 +194,17 @@ private:
         return false;
     }
 
+    /// An effect and an unmeasured flow that leaves as much, each at least the noise.
+    bool besideDisturbance(const Refit& refit, const std::vector<Proposal>& proposals,
+                           const std::vector<Proposal>& disturbances) {
+        target_ = std::max(1.0, target_);
+        if (!single(refit, proposals)) return false;
+        Choice flow = draw(disturbances);
+        if (!scaleTo(refit, flow, target_)) return false;
+        choices_.push_back(tidy(flow));
+        return true;
+    }
+
     /// Four digits are enough for a strength.
     static Choice tidy(Choice c) {
         c.strength = rounded(c.strength, 4);
@@ -205,6 +219,10 @@ private:
             const auto left = leftOver(refit, choices_, k);
             if (!left) continue;
             Hidden h{choices_[k].effect(), left->rho(), {}};
+            if (k == 1 && case_.variant == "disturbed") {
+                case_.disturbance = h;
+                break;
+            }
             if (options_.twins && !catalogue.empty())
                 h.twins = twins(refit, choices_, k, *left, catalogue, options_.threshold);
             case_.hidden.push_back(h);
@@ -219,14 +237,20 @@ private:
         baseline_ = baseline;
     }
 
+    /// What can be foretold of a run: all that is hidden but an unmeasured flow.
+    std::vector<Choice> foretold() const {
+        const bool beside = case_.disturbance.has_value();
+        return {choices_.begin(), choices_.begin() + static_cast<std::ptrdiff_t>(choices_.size() - (beside ? 1 : 0))};
+    }
+
     /// Adds noise and states the error figures; false: the plant does not stay finite.
     bool record(Run& run) {
         const Refit refit(case_.design, run.experiment, case_.sigma, run.startT);
         run.recording = refit.record({}, effectsOf(choices_));
         run.clean = run.measured = run.recording.outputs;
-        const Recording base = refit.record(baseline_, {});
+        const Recording base = refit.record(baseline_, {}), best = refit.record({}, effectsOf(foretold()));
         runs_ += refit.runs;
-        if (!run.recording.ok || !base.ok) return false;
+        if (!run.recording.ok || !base.ok || !best.ok) return false;
         const bool correlated = case_.variant == "coloured";
         const double memory = correlated ? random_.uniform(5.0, 40.0) : 0.0;
         for (std::size_t c = 0; c < run.clean.size(); ++c) {
@@ -236,7 +260,7 @@ private:
                     case_.sigma[c] * (correlated ? 0.9 * slow[k] + 0.44 * random_.normal() : random_.normal());
             run.baseline.push_back(errorPercent(base.outputs[c], run.measured[c]));
             run.floor.push_back(case_.cls == "none" ? run.baseline.back()
-                                                    : errorPercent(run.clean[c], run.measured[c]));
+                                                    : errorPercent(best.outputs[c], run.measured[c]));
         }
         return true;
     }

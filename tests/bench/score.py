@@ -183,8 +183,13 @@ def spread(values, form="%.3f"):
         quantile(values, 0.5), quantile(values, 0.9), max(values))
 
 
+def worsened(row):
+    return None not in (row.get("before"), row.get("after")) and row["after"] > 1.05 * row["before"]
+
+
 def show(rows):
-    effect = [r for r in rows if r["class"] in ("single", "double")]
+    beside = [r for r in rows if r["class"] == "single" and r["variant"] == "disturbed" and not r["failed"]]
+    effect = [r for r in rows if r["class"] in ("single", "double") and r["variant"] == ""]
     n = sum(len(r["hidden"]) for r in effect)
     late = sum(r["status"] in ("124", "130", "137") for r in rows)
     print("cases %d, without a report %d, stopped at the time limit %d" % (len(rows), sum(r["failed"] for r in rows), late))
@@ -208,6 +213,13 @@ def show(rows):
         some = [r for r in rows if r["class"] == "none" and r["variant"] == variant and not r["failed"]]
         print("  %-25s" % (variant or "white noise") + rate(sum(r["alarm"] for r in some), len(some)) +
               ", of them right " + rate(sum(r["right"] for r in some), len(some)))
+    print("\nan effect beside an unmeasured flow that leaves as much")
+    print("  named, or equivalent     " + rate(sum(r["found"] for r in beside), len(beside)))
+    print("  kind alone               " + rate(sum(r["kind_only"] for r in beside), len(beside)))
+    print("  with a wrong extra       " + rate(sum(r["extra"] > 0 for r in beside), len(beside)))
+    print("  nothing named            " + rate(sum(not r.get("chosen") for r in beside), len(beside)))
+    print("  validation worse by 5 %  " + rate(sum(worsened(r) for r in beside), len(beside)))
+    print("  error after / that of the true model: " + spread([r.get("ratio") for r in beside]))
     outside = [r for r in rows if r["class"] == "outside" and not r["failed"]]
     print("\noutside the library: judged honestly " + rate(sum(r["right"] for r in outside), len(outside)))
     print("  given a library name     " + rate(sum(bool(r.get("chosen")) for r in outside), len(outside)))

@@ -55,11 +55,12 @@ struct Hidden {
 };
 
 struct Case {
-    std::string name, cls, variant;  // variant: how the class none is made hard
+    std::string name, cls, variant;  // variant: how the class is made hard
     Design design;
     Run train, validation;
     std::vector<double> sigma;
     std::vector<Hidden> hidden;
+    std::optional<Hidden> disturbance;  // an unmeasured flow beside what is hidden
     double rho{}, target{};
 };
 
@@ -275,6 +276,7 @@ inline std::string CaseWriter::truth() const {
               {"tolerated", list(tolerated)},
               {"twins", list(twinTexts)}};
     if (!findings.empty()) m.emplace_back("findings_accepted", listOfNames(findings));
+    if (case_.disturbance) m.emplace_back("disturbance", hiddenText(*case_.disturbance));
     const Members rest{{"parameters", object(parameters)},
                        {"noise_std", object(sigma)},
                        {"baseline", both([](const Run& r) { return rms(r.baseline); })},
