@@ -117,6 +117,10 @@ Colour domainColour(Domain domain) {
     switch (domain) {
         case Domain::Rotational:
             return {95, 95, 95};
+        case Domain::Translational:
+            return {0, 127, 0};
+        case Domain::Electrical:
+            return {0, 0, 255};
         case Domain::Heat:
             return {191, 0, 0};
         case Domain::RealInput:
@@ -138,6 +142,8 @@ Domain connectorDomain(const Library& library, std::string_view className) {
         for (const Component& c : definition.components) (c.isFlow ? flows : potentials).insert(c.name);
     });
     if (potentials.contains("phi") && flows.contains("tau")) return Domain::Rotational;
+    if (potentials.contains("s") && flows.contains("f")) return Domain::Translational;
+    if (potentials.contains("v") && flows.contains("i")) return Domain::Electrical;
     if (potentials.contains("T") && flows.contains("Q_flow")) return Domain::Heat;
     return domain;
 }

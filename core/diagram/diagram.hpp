@@ -70,7 +70,7 @@ struct Placement {
 /// A point of an icon's coordinates in those of the diagram it stands in.
 Point map(const Placement& placement, const Extent& coordinates, Point point);
 
-enum class Domain { Rotational, Heat, RealInput, RealOutput, Other };
+enum class Domain { Rotational, Translational, Electrical, Heat, RealInput, RealOutput, Other };
 
 /// A connector on a block, in the coordinates of the block's icon.
 struct Port {
@@ -130,7 +130,8 @@ Icon readIcon(const Library& library, std::string_view className);
 /// Connectors of a class, inherited ones first, placed in the coordinates of its icon.
 std::vector<Port> readPorts(const Library& library, std::string_view className);
 
-/// What a connector class carries: known by its variables (phi and flow tau; T and flow Q_flow; input Real …),
+/// What a connector class carries: known by its variables (phi and flow tau; s and flow f; v and flow i; T and flow
+/// Q_flow; input Real …),
 /// so a user's own connector of the same shape is drawn like ours.
 Domain connectorDomain(const Library& library, std::string_view className);
 

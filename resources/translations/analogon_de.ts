@@ -280,6 +280,14 @@
         <translation>ein Flansch</translation>
     </message>
     <message>
+        <source>a translational flange</source>
+        <translation>ein translatorischer Flansch</translation>
+    </message>
+    <message>
+        <source>an electrical pin</source>
+        <translation>ein elektrischer Anschluss</translation>
+    </message>
+    <message>
         <source>a heat port</source>
         <translation>ein Wärmeanschluss</translation>
     </message>
@@ -789,6 +797,470 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
 </context>
 <context>
     <name>Library</name>
+    <message>
+        <source>Voltage drop of a diode or of brushes in a wire</source>
+        <translation>Spannungsabfall einer Diode oder von Bürsten in einer Leitung</translation>
+    </message>
+    <message>
+        <source>Leakage from a wire to ground</source>
+        <translation>Leckstrom von einer Leitung nach Masse</translation>
+    </message>
+    <message>
+        <source>Conductance 1/R_p to ground (0: off)</source>
+        <translation>Leitwert 1/R_p nach Masse (0: aus)</translation>
+    </message>
+    <message>
+        <source>Resistance 1/G_p (0 while there is no leakage)</source>
+        <translation>Widerstand 1/G_p (0, solange es kein Leck gibt)</translation>
+    </message>
+    <message>
+        <source>Effects in a circuit</source>
+        <translation>Effekte in einem Stromkreis</translation>
+    </message>
+    <message>
+        <source>Resistance of a lead or a contact</source>
+        <translation>Widerstand einer Zuleitung oder eines Kontakts</translation>
+    </message>
+    <message>
+        <source>Resistance (0: none)</source>
+        <translation>Widerstand (0: keiner)</translation>
+    </message>
+    <message>
+        <source>Potential of p against ground</source>
+        <translation>Potential von p gegen Masse</translation>
+    </message>
+    <message>
+        <source>Leakage between two wires that no component joins</source>
+        <translation>Leckstrom zwischen zwei Leitungen, die kein Bauteil verbindet</translation>
+    </message>
+    <message>
+        <source>Conductance 1/R_p between the wires (0: off)</source>
+        <translation>Leitwert 1/R_p zwischen den Leitungen (0: aus)</translation>
+    </message>
+    <message>
+        <source>Stray or filter capacitance from a wire to ground</source>
+        <translation>Streu- oder Filterkapazität einer Leitung nach Masse</translation>
+    </message>
+    <message>
+        <source>Capacitance (0: off)</source>
+        <translation>Kapazität (0: aus)</translation>
+    </message>
+    <message>
+        <source>Inductance of a lead or a loop</source>
+        <translation>Induktivität einer Zuleitung oder Schleife</translation>
+    </message>
+    <message>
+        <source>Inductance (0: none)</source>
+        <translation>Induktivität (0: keine)</translation>
+    </message>
+    <message>
+        <source>Dry friction of a rod</source>
+        <translation>Trockene Reibung einer Stange</translation>
+    </message>
+    <message>
+        <source>Friction force (0: off)</source>
+        <translation>Reibkraft (0: aus)</translation>
+    </message>
+    <message>
+        <source>Velocity over which the jump at standstill is smoothed</source>
+        <translation>Geschwindigkeit, über die der Sprung im Stillstand geglättet ist</translation>
+    </message>
+    <message>
+        <source>Effects on a rod</source>
+        <translation>Effekte an einer Stange</translation>
+    </message>
+    <message>
+        <source>Constant load force</source>
+        <translation>Konstante Lastkraft</translation>
+    </message>
+    <message>
+        <source>Force on the rod, positive against positive motion (0: off)</source>
+        <translation>Kraft auf die Stange, positiv gegen positive Bewegung (0: aus)</translation>
+    </message>
+    <message>
+        <source>Force proportional to the square of the velocity</source>
+        <translation>Kraft proportional zum Quadrat der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Force per square of the velocity (0: off)</source>
+        <translation>Kraft je Quadrat der Geschwindigkeit (0: aus)</translation>
+    </message>
+    <message>
+        <source>Play between two rods</source>
+        <translation>Spiel zwischen zwei Stangen</translation>
+    </message>
+    <message>
+        <source>Stiffness in contact</source>
+        <translation>Steifigkeit im Kontakt</translation>
+    </message>
+    <message>
+        <source>Damping in contact</source>
+        <translation>Dämpfung im Kontakt</translation>
+    </message>
+    <message>
+        <source>Distance over which the contact sets in</source>
+        <translation>Weg, über den der Kontakt einsetzt</translation>
+    </message>
+    <message>
+        <source>Distance: flange_b against flange_a</source>
+        <translation>Abstand: flange_b gegen flange_a</translation>
+    </message>
+    <message>
+        <source>Deflection in contact</source>
+        <translation>Verformung im Kontakt</translation>
+    </message>
+    <message>
+        <source>Force that is passed on</source>
+        <translation>Weitergegebene Kraft</translation>
+    </message>
+    <message>
+        <source>Velocity of flange_a</source>
+        <translation>Geschwindigkeit von flange_a</translation>
+    </message>
+    <message>
+        <source>Dry friction of a rod with extra breakaway force that falls off with velocity</source>
+        <translation>Trockene Reibung einer Stange mit Losbrechkraft, die mit der Geschwindigkeit abfällt</translation>
+    </message>
+    <message>
+        <source>Extra force at breakaway (0: off)</source>
+        <translation>Zusätzliche Losbrechkraft (0: aus)</translation>
+    </message>
+    <message>
+        <source>Friction force at speed</source>
+        <translation>Reibkraft bei Bewegung</translation>
+    </message>
+    <message>
+        <source>Velocity at which the extra force has fallen to 1/e</source>
+        <translation>Geschwindigkeit, bei der die zusätzliche Kraft auf 1/e gefallen ist</translation>
+    </message>
+    <message>
+        <source>Force proportional to the velocity</source>
+        <translation>Kraft proportional zur Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Force per velocity (0: off)</source>
+        <translation>Kraft je Geschwindigkeit (0: aus)</translation>
+    </message>
+    <message>
+        <source>Further mass on the rod</source>
+        <translation>Weitere Masse an der Stange</translation>
+    </message>
+    <message>
+        <source>Mass (0: off)</source>
+        <translation>Masse (0: aus)</translation>
+    </message>
+    <message>
+        <source>Spring from a rod to the housing</source>
+        <translation>Feder von einer Stange zum Gehäuse</translation>
+    </message>
+    <message>
+        <source>Position at which the spring is relaxed</source>
+        <translation>Position, bei der die Feder entspannt ist</translation>
+    </message>
+    <message>
+        <source>Rod that gives way</source>
+        <translation>Nachgiebige Stange</translation>
+    </message>
+    <message>
+        <source>Stiffness 1/e (0 while the rod is rigid)</source>
+        <translation>Steifigkeit 1/e (0, solange die Stange starr ist)</translation>
+    </message>
+    <message>
+        <source>Elongation: flange_b against flange_a</source>
+        <translation>Dehnung: flange_b gegen flange_a</translation>
+    </message>
+    <message>
+        <source>Rate of elongation</source>
+        <translation>Dehnungsgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Force in the rod</source>
+        <translation>Kraft in der Stange</translation>
+    </message>
+    <message>
+        <source>Inductor</source>
+        <translation>Spule</translation>
+    </message>
+    <message>
+        <source>Inductance</source>
+        <translation>Induktivität</translation>
+    </message>
+    <message>
+        <source>Resistor</source>
+        <translation>Widerstand</translation>
+    </message>
+    <message>
+        <source>Resistance</source>
+        <translation>Widerstand</translation>
+    </message>
+    <message>
+        <source>Electrical circuits: resistors, coils, capacitors, diodes and switches</source>
+        <translation>Stromkreise: Widerstände, Spulen, Kondensatoren, Dioden und Schalter</translation>
+    </message>
+    <message>
+        <source>Electromechanical conversion: voltage by speed, torque by current</source>
+        <translation>Elektromechanische Wandlung: Spannung durch Drehzahl, Drehmoment durch Strom</translation>
+    </message>
+    <message>
+        <source>Torque per current, which is voltage per speed</source>
+        <translation>Drehmoment je Strom, zugleich Spannung je Drehzahl</translation>
+    </message>
+    <message>
+        <source>Switch that a signal closes</source>
+        <translation>Schalter, den ein Signal schließt</translation>
+    </message>
+    <message>
+        <source>Closed where above 0.5</source>
+        <translation>Geschlossen, wo über 0,5</translation>
+    </message>
+    <message>
+        <source>Resistance of the closed switch</source>
+        <translation>Widerstand des geschlossenen Schalters</translation>
+    </message>
+    <message>
+        <source>Conductance of the open switch</source>
+        <translation>Leitwert des offenen Schalters</translation>
+    </message>
+    <message>
+        <source>Capacitor</source>
+        <translation>Kondensator</translation>
+    </message>
+    <message>
+        <source>Capacitance</source>
+        <translation>Kapazität</translation>
+    </message>
+    <message>
+        <source>Diode with an exponential characteristic</source>
+        <translation>Diode mit exponentieller Kennlinie</translation>
+    </message>
+    <message>
+        <source>Saturation current</source>
+        <translation>Sättigungsstrom</translation>
+    </message>
+    <message>
+        <source>Emission coefficient times thermal voltage</source>
+        <translation>Emissionskoeffizient mal Temperaturspannung</translation>
+    </message>
+    <message>
+        <source>Resistance in parallel</source>
+        <translation>Parallelwiderstand</translation>
+    </message>
+    <message>
+        <source>v/V_t, up to where the exponential goes on as its tangent</source>
+        <translation>v/V_t, bis wo die Exponentialfunktion als ihre Tangente weiterläuft</translation>
+    </message>
+    <message>
+        <source>Ground: the potential 0</source>
+        <translation>Masse: das Potential 0</translation>
+    </message>
+    <message>
+        <source>Grounded wire</source>
+        <translation>Geerdete Leitung</translation>
+    </message>
+    <message>
+        <source>Electrical pin (open: the negative side)</source>
+        <translation>Elektrischer Anschluss (offen: die negative Seite)</translation>
+    </message>
+    <message>
+        <source>Potential at the pin</source>
+        <translation>Potential am Anschluss</translation>
+    </message>
+    <message>
+        <source>Current into the component</source>
+        <translation>Strom in das Bauteil</translation>
+    </message>
+    <message>
+        <source>One pin with its potential</source>
+        <translation>Ein Anschluss mit seinem Potential</translation>
+    </message>
+    <message>
+        <source>Wire on which the component acts</source>
+        <translation>Leitung, auf die das Bauteil wirkt</translation>
+    </message>
+    <message>
+        <source>Potential of the pin against ground</source>
+        <translation>Potential des Anschlusses gegen Masse</translation>
+    </message>
+    <message>
+        <source>One translational flange with its position and velocity</source>
+        <translation>Ein translatorischer Flansch mit Position und Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Rod on which the component acts</source>
+        <translation>Stange, auf die das Bauteil wirkt</translation>
+    </message>
+    <message>
+        <source>Position of the flange</source>
+        <translation>Position des Flansches</translation>
+    </message>
+    <message>
+        <source>Velocity of the flange</source>
+        <translation>Geschwindigkeit des Flansches</translation>
+    </message>
+    <message>
+        <source>Two pins, the voltage between them and the current through them</source>
+        <translation>Zwei Anschlüsse, die Spannung dazwischen und der Strom hindurch</translation>
+    </message>
+    <message>
+        <source>Positive side</source>
+        <translation>Positive Seite</translation>
+    </message>
+    <message>
+        <source>Negative side</source>
+        <translation>Negative Seite</translation>
+    </message>
+    <message>
+        <source>Voltage from p to n</source>
+        <translation>Spannung von p nach n</translation>
+    </message>
+    <message>
+        <source>Current from p to n</source>
+        <translation>Strom von p nach n</translation>
+    </message>
+    <message>
+        <source>Two translational flanges</source>
+        <translation>Zwei translatorische Flansche</translation>
+    </message>
+    <message>
+        <source>Left side of the rod</source>
+        <translation>Linke Seite der Stange</translation>
+    </message>
+    <message>
+        <source>Right side of the rod</source>
+        <translation>Rechte Seite der Stange</translation>
+    </message>
+    <message>
+        <source>Electrical pin (filled: the positive side)</source>
+        <translation>Elektrischer Anschluss (gefüllt: die positive Seite)</translation>
+    </message>
+    <message>
+        <source>Translational flange (filled: the side that usually drives)</source>
+        <translation>Translatorischer Flansch (gefüllt: die meist treibende Seite)</translation>
+    </message>
+    <message>
+        <source>Position of the rod</source>
+        <translation>Position der Stange</translation>
+    </message>
+    <message>
+        <source>Force into the component</source>
+        <translation>Kraft in das Bauteil</translation>
+    </message>
+    <message>
+        <source>Translational flange (open: the side that is usually driven)</source>
+        <translation>Translatorischer Flansch (offen: die meist getriebene Seite)</translation>
+    </message>
+    <message>
+        <source>Ideal current sensor in a wire</source>
+        <translation>Idealer Stromsensor in einer Leitung</translation>
+    </message>
+    <message>
+        <source>Side into which the current counts</source>
+        <translation>Seite, in die der Strom zählt</translation>
+    </message>
+    <message>
+        <source>Ideal force sensor between two flanges</source>
+        <translation>Idealer Kraftsensor zwischen zwei Flanschen</translation>
+    </message>
+    <message>
+        <source>Force that the rod passes on from flange_a to flange_b</source>
+        <translation>Kraft, die die Stange von flange_a an flange_b weitergibt</translation>
+    </message>
+    <message>
+        <source>Ideal position sensor</source>
+        <translation>Idealer Wegsensor</translation>
+    </message>
+    <message>
+        <source>Rod that is observed</source>
+        <translation>Beobachtete Stange</translation>
+    </message>
+    <message>
+        <source>Ideal velocity sensor</source>
+        <translation>Idealer Geschwindigkeitssensor</translation>
+    </message>
+    <message>
+        <source>Ideal voltage sensor between two pins</source>
+        <translation>Idealer Spannungssensor zwischen zwei Anschlüssen</translation>
+    </message>
+    <message>
+        <source>Imposes a current given by a signal</source>
+        <translation>Prägt einen Strom ein, den ein Signal vorgibt</translation>
+    </message>
+    <message>
+        <source>Current from p to n through the source</source>
+        <translation>Strom von p nach n durch die Quelle</translation>
+    </message>
+    <message>
+        <source>Imposes a force given by a signal</source>
+        <translation>Prägt eine Kraft ein, die ein Signal vorgibt</translation>
+    </message>
+    <message>
+        <source>Force to give out</source>
+        <translation>Abzugebende Kraft</translation>
+    </message>
+    <message>
+        <source>Rod that is driven</source>
+        <translation>Angetriebene Stange</translation>
+    </message>
+    <message>
+        <source>Imposes a voltage given by a signal</source>
+        <translation>Prägt eine Spannung ein, die ein Signal vorgibt</translation>
+    </message>
+    <message>
+        <source>Translational mechanics: rods, masses and springs</source>
+        <translation>Translatorische Mechanik: Stangen, Massen und Federn</translation>
+    </message>
+    <message>
+        <source>Ideal rack and pinion, or spindle</source>
+        <translation>Ideale Zahnstange mit Ritzel, oder Spindel</translation>
+    </message>
+    <message>
+        <source>Shaft of the pinion</source>
+        <translation>Welle des Ritzels</translation>
+    </message>
+    <message>
+        <source>Rack</source>
+        <translation>Zahnstange</translation>
+    </message>
+    <message>
+        <source>Travel per angle (radius of the pinion; pitch/(2*pi) of a spindle)</source>
+        <translation>Weg je Winkel (Radius des Ritzels; Steigung/(2*pi) einer Spindel)</translation>
+    </message>
+    <message>
+        <source>Linear spring and damper in parallel between two translational flanges</source>
+        <translation>Lineare Feder und Dämpfer parallel zwischen zwei translatorischen Flanschen</translation>
+    </message>
+    <message>
+        <source>Length of the relaxed spring</source>
+        <translation>Länge der entspannten Feder</translation>
+    </message>
+    <message>
+        <source>Rate of the distance</source>
+        <translation>Änderung des Abstands</translation>
+    </message>
+    <message>
+        <source>Force of spring and damper</source>
+        <translation>Kraft von Feder und Dämpfer</translation>
+    </message>
+    <message>
+        <source>Rigid body that slides</source>
+        <translation>Starrer Körper, der gleitet</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Flange held at a fixed position</source>
+        <translation>Flansch, auf fester Position gehalten</translation>
+    </message>
     <message>
         <source>Electric machine with several effects, a warm winding and warm magnets among them</source>
         <translation>Elektrische Maschine mit mehreren Effekten, darunter eine warme Wicklung und warme Magnete</translation>
@@ -2600,6 +3072,186 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>A weight on a drum, a preload: the same torque at every angle and speed.</source>
         <translation>Ein Gewicht an einer Trommel, eine Vorspannung: dasselbe Drehmoment bei jedem Winkel und jeder Drehzahl.</translation>
+    </message>
+    <message>
+        <source>A constant drop against the current. While the voltage cannot overcome it the current stays at 0.</source>
+        <translation>Ein konstanter Abfall gegen den Strom. Solange die Spannung ihn nicht überwindet, bleibt der Strom bei 0.</translation>
+    </message>
+    <message>
+        <source>Isolation that is not perfect, a bleeder, a filter: current that flows to ground beside the load.</source>
+        <translation>Eine unvollkommene Isolation, ein Entladewiderstand, ein Filter: Strom, der neben der Last nach Masse fließt.</translation>
+    </message>
+    <message>
+        <source>What may lie in a wire, and what may flow beside the load.</source>
+        <translation>Was in einer Leitung liegen und was neben der Last fließen kann.</translation>
+    </message>
+    <message>
+        <source>Lead, contact or inner resistance of the supply, where the model had an ideal wire. Its heat is lost.</source>
+        <translation>Zuleitung, Kontakt oder Innenwiderstand der Versorgung, wo das Modell eine ideale Leitung hatte. Seine Wärme geht verloren.</translation>
+    </message>
+    <message>
+        <source>Isolation between two wires that is not perfect.</source>
+        <translation>Eine unvollkommene Isolation zwischen zwei Leitungen.</translation>
+    </message>
+    <message>
+        <source>A long cable, a filter: charge that the wire must take up before its potential rises.</source>
+        <translation>Ein langes Kabel, ein Filter: Ladung, die die Leitung aufnehmen muss, bevor ihr Potential steigt.</translation>
+    </message>
+    <message>
+        <source>A loop of wire that the current must build its field in.</source>
+        <translation>Eine Leiterschleife, in der der Strom sein Feld aufbauen muss.</translation>
+    </message>
+    <message>
+        <source>A constant force against the motion.</source>
+        <translation>Eine konstante Kraft gegen die Bewegung.</translation>
+    </message>
+    <message>
+        <source>The jump at standstill is smoothed over the small velocity v_eps, so that the force has a slope everywhere: a stuck rod creeps at a fraction of v_eps.</source>
+        <translation>Der Sprung im Stillstand ist über die kleine Geschwindigkeit v_eps geglättet, damit die Kraft überall eine Steigung hat: eine haftende Stange kriecht mit einem Bruchteil von v_eps.</translation>
+    </message>
+    <message>
+        <source>Friction, drag, loads, springs and masses attached to a rod, and what may lie between two rods.</source>
+        <translation>Reibung, Widerstand, Lasten, Federn und Massen an einer Stange, und was zwischen zwei Stangen liegen kann.</translation>
+    </message>
+    <message>
+        <source>A weight, a preload: the same force at every position and velocity.</source>
+        <translation>Ein Gewicht, eine Vorspannung: dieselbe Kraft bei jeder Position und Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Drag of a body that moves in air or liquid, or throttling.</source>
+        <translation>Widerstand eines Körpers, der sich in Luft oder Flüssigkeit bewegt, oder Drosselung.</translation>
+    </message>
+    <message>
+        <source>A fork that holds a pin with play, a nut on a spindle: within the play of width b no force is passed on, beyond it the contact is elastic and damped. Without play the connection is rigid.</source>
+        <translation>Eine Gabel, die einen Bolzen mit Spiel hält, eine Mutter auf einer Spindel: innerhalb des Spiels der Breite b wird keine Kraft weitergegeben, darüber hinaus ist der Kontakt elastisch und gedämpft. Ohne Spiel ist die Verbindung starr.</translation>
+    </message>
+    <message>
+        <source>The corners are rounded over s_eps. The equation is multiplied by b, so that b = 0 leaves s_rel = 0, the rigid rod; a stiffness of less than c/1e9 keeps the play from drifting.</source>
+        <translation>Die Ecken sind über s_eps gerundet. Die Gleichung ist mit b multipliziert, damit b = 0 nur s_rel = 0 lässt, die starre Stange; eine Steifigkeit von weniger als c/1e9 hält das Spiel vom Abdriften ab.</translation>
+    </message>
+    <message>
+        <source>A mass that moves with the rod.</source>
+        <translation>Eine Masse, die sich mit der Stange bewegt.</translation>
+    </message>
+    <message>
+        <source>A spring between rod and housing.</source>
+        <translation>Eine Feder zwischen Stange und Gehäuse.</translation>
+    </message>
+    <message>
+        <source>An elastic, damped rod where the model had a rigid one. The strength is the compliance e = 1/c, so that 0 is the rigid rod.</source>
+        <translation>Eine elastische, gedämpfte Stange, wo das Modell eine starre hatte. Die Stärke ist die Nachgiebigkeit e = 1/c, sodass 0 die starre Stange ist.</translation>
+    </message>
+    <message>
+        <source>A coil without resistance or saturation.</source>
+        <translation>Eine Spule ohne Widerstand und Sättigung.</translation>
+    </message>
+    <message>
+        <source>A resistor at a constant temperature.</source>
+        <translation>Ein Widerstand bei konstanter Temperatur.</translation>
+    </message>
+    <message>
+        <source>Components between pins, and the conversion that joins a circuit to a shaft. A pin carries the potential v and the flow i, as in the Modelica Standard Library; every circuit needs a ground.</source>
+        <translation>Bauteile zwischen Anschlüssen, und die Wandlung, die einen Stromkreis mit einer Welle verbindet. Ein Anschluss trägt das Potential v und den Fluss i, wie in der Modelica Standard Library; jeder Stromkreis braucht eine Masse.</translation>
+    </message>
+    <message>
+        <source>The ideal part of a direct-current machine; resistance, inductance and inertia are blocks of their own. The housing takes the reaction.</source>
+        <translation>Der ideale Teil einer Gleichstrommaschine; Widerstand, Induktivität und Trägheit sind eigene Blöcke. Das Gehäuse nimmt die Gegenwirkung auf.</translation>
+    </message>
+    <message>
+        <source>A switch, a transistor driven hard: closed where the signal is above 0.5.</source>
+        <translation>Ein Schalter, ein voll durchgesteuerter Transistor: geschlossen, wo das Signal über 0,5 liegt.</translation>
+    </message>
+    <message>
+        <source>A capacitor.</source>
+        <translation>Ein Kondensator.</translation>
+    </message>
+    <message>
+        <source>Conducts from p to n. The characteristic has a slope everywhere, so that its parameters can be fitted.</source>
+        <translation>Leitet von p nach n. Die Kennlinie hat überall eine Steigung, damit ihre Parameter angepasst werden können.</translation>
+    </message>
+    <message>
+        <source>Beyond v = 40*V_t the exponential goes on as its tangent.</source>
+        <translation>Oberhalb von v = 40*V_t läuft die Exponentialfunktion als ihre Tangente weiter.</translation>
+    </message>
+    <message>
+        <source>Every circuit needs one: potentials are counted from here.</source>
+        <translation>Jeder Stromkreis braucht eine: Potentiale zählen von hier.</translation>
+    </message>
+    <message>
+        <source>One end of a wire: the potential v is the same for all that is connected, the currents i into the components sum to zero.</source>
+        <translation>Ein Ende einer Leitung: das Potential v ist für alles Verbundene gleich, die Ströme i in die Bauteile ergeben in der Summe null.</translation>
+    </message>
+    <message>
+        <source>Base of effects between a wire and ground. A class that extends it adds one equation for pin.i.</source>
+        <translation>Basis von Effekten zwischen einer Leitung und Masse. Eine Klasse, die sie erweitert, fügt eine Gleichung für pin.i hinzu.</translation>
+    </message>
+    <message>
+        <source>Base of effects that act on a rod. A class that extends it adds one equation for flange.f.</source>
+        <translation>Basis von Effekten, die auf eine Stange wirken. Eine Klasse, die sie erweitert, fügt eine Gleichung für flange.f hinzu.</translation>
+    </message>
+    <message>
+        <source>Base of components between two pins. A class that extends it adds one equation for voltage and current.</source>
+        <translation>Basis von Bauteilen zwischen zwei Anschlüssen. Eine Klasse, die sie erweitert, fügt eine Gleichung für Spannung und Strom hinzu.</translation>
+    </message>
+    <message>
+        <source>Base of components between two translational flanges. A class that extends it adds two equations for positions and forces.</source>
+        <translation>Basis von Bauteilen zwischen zwei translatorischen Flanschen. Eine Klasse, die sie erweitert, fügt zwei Gleichungen für Positionen und Kräfte hinzu.</translation>
+    </message>
+    <message>
+        <source>One end of a rod: the position s is the same for all that is connected, the forces f into the components sum to zero.</source>
+        <translation>Ein Ende einer Stange: die Position s ist für alles Verbundene gleich, die Kräfte f in die Bauteile ergeben in der Summe null.</translation>
+    </message>
+    <message>
+        <source>Passes the current on without a drop and tells it.</source>
+        <translation>Gibt den Strom ohne Abfall weiter und meldet ihn.</translation>
+    </message>
+    <message>
+        <source>Passes position and force on unchanged and tells the force.</source>
+        <translation>Gibt Position und Kraft unverändert weiter und meldet die Kraft.</translation>
+    </message>
+    <message>
+        <source>Reads the position of a flange and takes no force.</source>
+        <translation>Liest die Position eines Flansches und nimmt keine Kraft auf.</translation>
+    </message>
+    <message>
+        <source>Reads the velocity of a flange and takes no force.</source>
+        <translation>Liest die Geschwindigkeit eines Flansches und nimmt keine Kraft auf.</translation>
+    </message>
+    <message>
+        <source>Reads the voltage between two wires and takes no current.</source>
+        <translation>Liest die Spannung zwischen zwei Leitungen und nimmt keinen Strom auf.</translation>
+    </message>
+    <message>
+        <source>An ideal source of current: i at any voltage, from p to n through the source.</source>
+        <translation>Eine ideale Stromquelle: i bei jeder Spannung, von p nach n durch die Quelle.</translation>
+    </message>
+    <message>
+        <source>Drives the rod with the force f, at any velocity; the housing takes the reaction.</source>
+        <translation>Treibt die Stange mit der Kraft f bei jeder Geschwindigkeit; das Gehäuse nimmt die Gegenwirkung auf.</translation>
+    </message>
+    <message>
+        <source>An ideal supply: the voltage v at any current.</source>
+        <translation>Eine ideale Versorgung: die Spannung v bei jedem Strom.</translation>
+    </message>
+    <message>
+        <source>Components on a rod, and the rack that joins it to a shaft. The flange carries the position s and the flow f, as in the Modelica Standard Library.</source>
+        <translation>Bauteile an einer Stange, und die Zahnstange, die sie mit einer Welle verbindet. Der Flansch trägt die Position s und den Fluss f, wie in der Modelica Standard Library.</translation>
+    </message>
+    <message>
+        <source>Joins a shaft and a rod without mass, loss or play.</source>
+        <translation>Verbindet eine Welle und eine Stange ohne Masse, Verlust und Spiel.</translation>
+    </message>
+    <message>
+        <source>A massless elastic and damped rod.</source>
+        <translation>Eine masselose, elastische und gedämpfte Stange.</translation>
+    </message>
+    <message>
+        <source>A mass on a rigid rod; both flanges are the same place.</source>
+        <translation>Eine Masse an einer starren Stange; beide Flansche sind derselbe Ort.</translation>
+    </message>
+    <message>
+        <source>The housing: the flange does not move.</source>
+        <translation>Das Gehäuse: der Flansch bewegt sich nicht.</translation>
     </message>
     <message>
         <source>A constant torque against the motion.</source>

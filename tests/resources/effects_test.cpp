@@ -487,10 +487,69 @@ TEST(SensorAbsolute, LosesTheSign) {
 
 bool isBlown(const EffectClass& effect) { return effect.className.ends_with("ByFlowSpeed"); }
 
+/// Whether an effect goes on a rod or in a circuit: those have a bench of their own.
+bool isOf(const EffectClass& effect, const std::string& package) {
+    return effect.className.starts_with("Analogon.Effects." + package + ".");
+}
+
+/// A spindle that moves two masses on a rod, and a filter, with places for an effect.
+std::string rodAndCircuit(const EffectClass* effect) {
+    std::string text = R"(
+  Analogon.Interfaces.RealInput v, other;
+  Analogon.Interfaces.RealOutput w(unit="m/s"), i(unit="A"), T(unit="V");
+  Analogon.Sources.PrescribedForce drive;
+  Analogon.Translation.Mass first(m=0.3), second(m=0.2), apart(m=1);
+  Analogon.Translation.SpringDamper spring(c=40, d=1);
+  Analogon.Translation.Fixed housing;
+  Analogon.Sensors.VelocitySensor velocity;
+  Analogon.Sources.PrescribedVoltage supply;
+  Analogon.Electric.Resistor lead(R=2), load(R=9), bleeder(R=50);
+  Analogon.Electric.Capacitor filter(C=0.02), store(C=0.1);
+  Analogon.Electric.Ground ground;
+  Analogon.Sensors.CurrentSensor ammeter;
+  Analogon.Sensors.VoltageSensor voltmeter;
+)";
+    if (effect) text += "  " + effect->className + " effect;\n";
+    text += R"(equation
+  connect(v, drive.f);
+  connect(drive.flange, first.flange_a);
+  connect(second.flange_b, spring.flange_b);
+  connect(spring.flange_a, housing.flange);
+  connect(second.flange_b, velocity.flange);
+  connect(velocity.v, w);
+  connect(v, supply.v);
+  connect(supply.n, ground.p);
+  connect(supply.p, lead.p);
+  connect(ammeter.n, filter.p);
+  connect(ammeter.n, load.p);
+  connect(filter.n, ground.p);
+  connect(load.n, ground.p);
+  connect(supply.p, bleeder.p);
+  connect(bleeder.n, store.p);
+  connect(store.n, ground.p);
+  connect(voltmeter.p, load.p);
+  connect(voltmeter.n, ground.p);
+  connect(ammeter.i, i);
+  connect(voltmeter.v, T);
+)";
+    const bool insert = effect && effect->way == Way::Insert;
+    const bool onRod = effect && isOf(*effect, "Translation");
+    text += insert && onRod
+                ? "  connect(first.flange_b, effect.flange_a);\n  connect(effect.flange_b, second.flange_a);\n"
+                : "  connect(first.flange_b, second.flange_a);\n";
+    text += insert && !onRod ? "  connect(lead.n, effect.p);\n  connect(effect.n, ammeter.p);\n"
+                             : "  connect(lead.n, ammeter.p);\n";
+    if (effect && effect->way == Way::Attach)
+        text += "  connect(effect." + effect->ports[0] + (onRod ? ", first.flange_b);\n" : ", load.p);\n");
+    if (effect && effect->way == Way::Bridge) text += "  connect(effect.p, load.p);\n  connect(effect.n, store.p);\n";
+    return text;
+}
+
 /// The bench of an effect: a heated sensor and a motor in one model, with places for every way. `blown`: the sensor in
 /// a stream of measured speed.
 std::string rig(const EffectClass* effect, bool blown = false) {
     blown = blown || (effect && isBlown(*effect));
+    if (effect && (isOf(*effect, "Translation") || isOf(*effect, "Electric"))) return rodAndCircuit(effect);
     const bool attach = effect && effect->way == Way::Attach, insert = effect && effect->way == Way::Insert;
     const bool signal = insert && !effect->signalSide.empty();
     const bool specialise = effect && effect->way == Way::Specialise;
@@ -603,10 +662,12 @@ TEST(Effects, ChangeNothingWhileTheirStrengthIsZero) {
     ASSERT_TRUE(effects);
     const std::vector<Signal> inputs{[](double t) { return 6 + 4 * std::sin(3 * t); }, [](double t) { return 2 + t; }};
     const Recording still = run(rig(nullptr), 2, 101, inputs), blown = run(rig(nullptr, true), 2, 101, inputs);
-    ASSERT_EQ(still.fault + blown.fault, "");
+    const Recording rods = run(rodAndCircuit(nullptr), 2, 101, inputs);
+    ASSERT_EQ(still.fault + blown.fault + rods.fault, "");
     for (const EffectClass& effect : *effects) {
         SCOPED_TRACE(effect.className);
-        const Recording& plain = isBlown(effect) ? blown : still;
+        const bool isApart = isOf(effect, "Translation") || isOf(effect, "Electric");
+        const Recording& plain = isApart ? rods : isBlown(effect) ? blown : still;
         const Recording off = run(rig(&effect), 2, 101, inputs);
         ASSERT_EQ(off.fault, "");
         // play without width still has elastic teeth, very stiff ones

@@ -125,7 +125,30 @@ TEST(BlockLibrary, HasEveryClassOfTheDomains) {
                              "Signals.Gain",
                              "Signals.Sum",
                              "Signals.Product",
-                             "Signals.FirstOrder"})
+                             "Signals.FirstOrder",
+                             "Interfaces.TranslationalFlange_a",
+                             "Interfaces.TranslationalFlange_b",
+                             "Interfaces.PositivePin",
+                             "Interfaces.NegativePin",
+                             "Translation.Mass",
+                             "Translation.SpringDamper",
+                             "Translation.Fixed",
+                             "Translation.Rack",
+                             "Electric.Resistor",
+                             "Electric.Capacitor",
+                             "Electric.Inductor",
+                             "Electric.Ground",
+                             "Electric.Diode",
+                             "Electric.Switch",
+                             "Electric.EMF",
+                             "Sources.PrescribedForce",
+                             "Sources.PrescribedVoltage",
+                             "Sources.PrescribedCurrent",
+                             "Sensors.PositionSensor",
+                             "Sensors.VelocitySensor",
+                             "Sensors.ForceSensor",
+                             "Sensors.VoltageSensor",
+                             "Sensors.CurrentSensor"})
         EXPECT_NE(library().find(std::string("Analogon.") + name), nullptr) << name;
 }
 
@@ -254,7 +277,8 @@ TEST(EffectAnnotations, CoverEveryKind) {
           "voltage.drop",      "inductance.saturation", "flux.temperature",  "sensor.lag",
           "sensor.delay",      "sensor.offset",         "sensor.gain",       "sensor.drift",
           "actuator.lag",      "actuator.delay",        "actuator.offset",   "actuator.gain",
-          "actuator.deadzone", "actuator.saturation"})
+          "actuator.deadzone", "actuator.saturation",   "force.constant",    "mass.added",
+          "compliance.rod",    "inductance.series",     "leakage",           "capacitance.parallel"})
         EXPECT_TRUE(kinds.contains(kind)) << kind;
 }
 

@@ -63,6 +63,10 @@ QString domainName(Domain domain) {
     switch (domain) {
         case Domain::Rotational:
             return tr("a flange");
+        case Domain::Translational:
+            return tr("a translational flange");
+        case Domain::Electrical:
+            return tr("an electrical pin");
         case Domain::Heat:
             return tr("a heat port");
         case Domain::RealInput:

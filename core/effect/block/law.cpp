@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/base/parallel.hpp"
+#include "core/effect/block/flow_domain.hpp"
 #include "core/effect/thresholds.hpp"
 
 namespace analogon {
@@ -56,24 +57,27 @@ Eigen::VectorXd speed(const NullModel& null, const Eigen::VectorXd& angle, int e
 LawProbe probeAt(const NullModel& null, const ModelNodes::FlowNode& node, const Names& others, const Series& values) {
     LawProbe probe(null, siteOf(node));
     std::vector<Term>& terms = probe.terms();
-    const bool isMechanical = node.flow == "tau";
+    const FlowDomain domain = flowDomain(node.flow);
+    const bool hasRate = !domain.rate.empty();
+    const auto isRate = [&](const LawQuantity& q) { return q.name == domain.rate; };
     const std::string own = potentialName(node), potential = "port." + node.potential;
     std::vector<LawQuantity> local;
     if (const auto found = values.find(own); found != values.end()) {
-        if (isMechanical) {
+        if (hasRate) {
+            const std::string rate(domain.rate);
             std::vector<Eigen::VectorXd> speeds;
             for (std::size_t e = 0; e < found->second.size(); ++e)
                 speeds.push_back(speed(null, found->second[e], static_cast<int>(e)));
-            local.push_back(
-                probe.addOwn(quantityOf("w", "", "w", "rad/s", speeds, 0), fmt::format("der({})", potential)));
+            local.push_back(probe.addOwn(quantityOf(rate, "", rate, std::string(domain.rateUnit), speeds, 0),
+                                         fmt::format("der({})", potential)));
         }
-        const char* unit = isMechanical ? "rad" : node.flow == "Q_flow" ? "K" : "";
+        const std::string unit(domain.potentialUnit);
         LawQuantity p = quantityOf("p", "", node.potential, unit, found->second, originOf(found->second.front()));
         if (!turnsOn(p, unit)) local.push_back(probe.addOwn(std::move(p), potential));
     }
-    for (const LawQuantity& q : local) addPowers(q, q.name == "w", 1, terms);
+    for (const LawQuantity& q : local) addPowers(q, isRate(q), 1, terms);
     if (!local.empty() && local.back().name == "p") addHinges(local.back(), local.back().range, terms);
-    if (isMechanical && !local.empty()) {
+    if (hasRate && !local.empty()) {
         const double largest = local.front().largest();
         addHinges(local.front(), {-largest, largest}, terms);
         if (local.size() == 2) addProducts(local[0], local[1], true, 1, terms);
@@ -82,7 +86,7 @@ LawProbe probeAt(const NullModel& null, const ModelNodes::FlowNode& node, const 
     for (std::size_t j = 0; j < foreign.size(); ++j) {
         probe.addForeign(foreign[j]);
         addPowers(foreign[j], false, 2, terms);
-        for (const LawQuantity& q : local) addProducts(q, foreign[j], q.name == "w", 2, terms);
+        for (const LawQuantity& q : local) addProducts(q, foreign[j], isRate(q), 2, terms);
         addPairs(foreign, j, terms);
     }
     return probe;

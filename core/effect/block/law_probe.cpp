@@ -7,6 +7,7 @@
 #include <cctype>
 #include <numeric>
 
+#include "core/effect/block/flow_domain.hpp"
 #include "core/syntax/printer.hpp"
 
 namespace analogon {
@@ -30,13 +31,13 @@ std::string inputOf(const LawQuantity& q) { return q.origin != 0 ? q.name + "_in
 LawSite siteOf(const ModelNodes::FlowNode& node) {
     LawSite site;
     site.place = node.place;
-    const bool isMechanical = node.flow == "tau", isThermal = node.flow == "Q_flow";
-    site.baseName = isMechanical ? "MissingTorque" : isThermal ? "MissingHeatFlow" : "MissingFlow";
+    const FlowDomain domain = flowDomain(node.flow);
+    site.baseName = domain.lawName;
     site.declaration = fmt::format("{} port annotation (Placement(transformation(extent={{{{-110,-10}},{{-90,10}}}})))",
                                    node.connectorClass);
     site.sum = fmt::format("port.{} =", node.flow);
     site.shown = fmt::format("{}.{} =", node.place.connector, node.flow);
-    site.unit = UnitFactors::of(isMechanical ? "N.m" : isThermal ? "W" : "");
+    site.unit = UnitFactors::of(std::string(domain.flowUnit));
     site.ports = {"port"};
     return site;
 }

@@ -1,0 +1,24 @@
+within Analogon.Sensors;
+model PositionSensor "Ideal position sensor"
+  Analogon.Interfaces.TranslationalFlange_a flange "Rod that is observed"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
+  Analogon.Interfaces.RealOutput s(unit="m") "Position of the flange"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
+equation
+  s = flange.s;
+  flange.f = 0;
+  annotation (
+    Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
+        Line(points={{-100,0},{-50,0}}, color={0,127,0}, thickness=0.5),
+        Line(points={{50,0},{100,0}}, color={0,0,127}, thickness=0.5),
+        Ellipse(extent={{-50,50},{50,-50}}, lineColor={0,0,0}, fillColor={245,245,245}, fillPattern=FillPattern.Solid),
+        Text(extent={{-36,30},{36,-30}}, textString="s", textColor={0,0,0}),
+        Text(extent={{-150,150},{150,110}}, textString="%name", textColor={0,0,255})}),
+    Documentation(info="<html>
+<p>Reads the position of a flange and takes no force.</p>
+<pre>
+  s = flange.s
+  flange.f = 0
+</pre>
+</html>"));
+end PositionSensor;

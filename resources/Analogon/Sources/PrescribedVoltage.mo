@@ -1,0 +1,30 @@
+within Analogon.Sources;
+model PrescribedVoltage "Imposes a voltage given by a signal"
+  Analogon.Interfaces.PositivePin p "Positive side"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
+  Analogon.Interfaces.NegativePin n "Negative side"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
+  Analogon.Interfaces.RealInput v(unit="V") "Voltage from p to n"
+    annotation (Placement(transformation(extent={{-20,80},{20,120}})));
+  Real i(unit="A") "Current from p to n";
+equation
+  p.v - n.v = v;
+  i = p.i;
+  p.i + n.i = 0;
+  annotation (
+    Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
+        Line(points={{-100,0},{100,0}}, color={0,0,255}, thickness=0.5),
+        Ellipse(extent={{-50,50},{50,-50}}, lineColor={0,0,255}, fillColor={255,255,255}, fillPattern=FillPattern.Solid),
+        Line(points={{-50,0},{50,0}}, color={0,0,255}, thickness=0.5),
+        Line(points={{0,100},{0,50}}, color={0,0,127}, thickness=0.5),
+        Text(extent={{-90,60},{-50,20}}, textString="+", textColor={0,0,255}),
+        Text(extent={{50,60},{90,20}}, textString="-", textColor={0,0,255}),
+        Text(extent={{-150,-60},{150,-100}}, textString="%name", textColor={0,0,255})}),
+    Documentation(info="<html>
+<p>An ideal supply: the voltage v at any current.</p>
+<pre>
+  p.v - n.v = v
+  p.i + n.i = 0
+</pre>
+</html>"));
+end PrescribedVoltage;
