@@ -21,6 +21,8 @@
 #include <array>
 #include <cmath>
 
+#include "ui/style/wheel_guard.hpp"
+
 // Resources of a static library must be asked for; the macro wants the global namespace.
 static void loadIcons() { Q_INIT_RESOURCE(icons); }
 
@@ -482,7 +484,9 @@ private:
 bool isDark(const QPalette& palette) { return palette.color(QPalette::Base).lightness() < 128; }
 
 void apply(QApplication& application, Theme theme) {
-    static const QPalette desktop = QGuiApplication::palette();  // before we set our own
+    static const QPalette desktop = QGuiApplication::palette();    // before we set our own
+    static WheelGuard* const guard = new WheelGuard(application);  // the application owns it
+    static_cast<void>(guard);
     loadIcons();
     chosen = theme;
     const bool dark = theme == Theme::Dark || (theme == Theme::System && isDark(desktop));
