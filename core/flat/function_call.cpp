@@ -621,10 +621,17 @@ private:
         if (!take({"x", "k_p", "k_n"}, 3)) return std::nullopt;
         const auto x = numericScalar(0), p = numericScalar(1), n = numericScalar(2);
         if (!x || !p || !n) return std::nullopt;
-        const ExpressionId isPositive = pool_.binary(Operation::GreaterEqual, x->elements[0], pool_.constant(0));
-        return Value::scalar(
-            FlatType::Real, pool_.smooth(0, pool_.ifThenElse(isPositive, pool_.multiply(p->elements[0], x->elements[0]),
-                                                             pool_.multiply(n->elements[0], x->elements[0]))));
+        const ExpressionId u = x->elements[0], positive = p->elements[0], negative = n->elements[0];
+        const ExpressionId zero = pool_.constant(0);
+        const ExpressionId linear =
+            pool_.smooth(0, pool_.ifThenElse(pool_.binary(Operation::GreaterEqual, u, zero),
+                                             pool_.multiply(positive, u), pool_.multiply(negative, u)));
+        // Where nothing flows a mixture that is found from k_p*x and k_n*x is left open: 0/0. A trace that flows both
+        // ways makes it the mean of what is around it.
+        constexpr double trace = 1e-100;
+        const ExpressionId isZero = pool_.unary(Operation::NoEvent, pool_.binary(Operation::Equal, u, zero));
+        const ExpressionId mixing = pool_.multiply(pool_.constant(trace), pool_.subtract(positive, negative));
+        return Value::scalar(FlatType::Real, pool_.add(linear, pool_.ifThenElse(isZero, mixing, zero)));
     }
 
     /// A function, the constructor of a record or of an external object.

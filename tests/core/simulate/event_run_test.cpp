@@ -299,6 +299,36 @@ TEST(EventRun, APeriodicTimeTableGoesOnFromEventToEvent) {
     EXPECT_EQ(run.at(69.31, "y"), 1);
 }
 
+/// A pipe that the heat of Q warms, between a cold and a warm reservoir; what mixes at a joint has no mass.
+const char* const throughPipe = R"(
+        model M
+          Real T(start = 20, fixed = true), left, right, middle, first, second;
+          Real m = if time < 0.3 then 2 else if time < 0.6 then 0 else -2;
+        equation
+          semiLinear(m, left, T) + semiLinear(-m, right, T) + 3 = 5*der(T);
+          semiLinear(m, left, T) + semiLinear(-m, left, 10) = 0;
+          semiLinear(-m, right, T) + semiLinear(m, right, middle) = 0;
+          first = semiLinear(m, right, middle);
+          second = semiLinear(-m, 70, middle);
+          first + second = 0;
+        end M;)";
+
+TEST(EventRun, AMixtureWithoutFlowIsTheMeanOfWhatIsAroundIt) {
+    const Simulated run = runOf(throughPipe, {"T", "left", "right", "middle", "first"}, 1, 1e-10);
+    ASSERT_RAN(run);
+    // 2*(10 - T) + 3 = 5 T'; then 3 = 5 T'; then 2*(70 - T) + 3 = 5 T'
+    const double first = 11.5 + 8.5 * std::exp(-0.4 * 0.3), second = first + 0.6 * 0.3;
+    EXPECT_NEAR(run.at(0.2999, "left"), 10, 1e-9);
+    EXPECT_NEAR(run.at(0.5, "T"), first + 0.6 * 0.2, 1e-7);
+    const double T = run.at(0.45, "T");
+    EXPECT_NEAR(run.at(0.45, "left"), (10 + T) / 2, 1e-9);
+    EXPECT_NEAR(run.at(0.45, "right"), T + (70 - T) / 3, 1e-9);
+    EXPECT_NEAR(run.at(0.45, "middle"), T + 2 * (70 - T) / 3, 1e-9);
+    EXPECT_EQ(run.at(0.45, "first") + 1, 1);
+    EXPECT_NEAR(run.at(0.9, "right"), 70, 1e-9);
+    EXPECT_NEAR(run.last("T"), 71.5 - (71.5 - second) * std::exp(-0.4 * 0.4), 1e-6);
+}
+
 TEST(EventRun, WhatKeepsSwitchingIsNamed) {
     const Simulated run =
         runOf("model M Boolean b(start = false, fixed = true); equation b = not pre(b); end M;", {"b"});
