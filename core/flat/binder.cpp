@@ -303,7 +303,27 @@ void Binder::checkParameter(VariableId id) {
                          variable.value, phrase("remove the prefix 'parameter', or use parameters only"));
 }
 
+/// What an initial equation says of a discrete parameter with fixed = false, in terms of parameters alone, is its
+/// value: it is no number that could be searched for.
+void Binder::bindDiscreteParameters() {
+    std::erase_if(work_.model.initialEquations, [this](const FlatEquation& equation) {
+        for (const auto& [target, value] :
+             {std::pair(equation.left, equation.right), std::pair(equation.right, equation.left)}) {
+            const ExpressionNode node = work_.pool[target];
+            if (node.operation != Operation::Variable || !free_.contains(node.variable)) continue;
+            FlatVariable& variable = work_.model.variables[node.variable.value];
+            if (variable.type == FlatType::Real || variable.binding.valid()) continue;
+            if (!work_.translator->isParametric(value)) continue;
+            variable.binding = value;
+            variable.value = equation.span;
+            return true;
+        }
+        return false;
+    });
+}
+
 void Binder::checkParameters() {
+    bindDiscreteParameters();
     auto& variables = work_.model.variables;
     for (std::uint32_t i = 0; i < variables.size() && !work_.messages.full(); ++i)
         if (variables[i].variability != FlatVariability::Continuous) checkParameter({i});

@@ -29,6 +29,7 @@ private:
     std::optional<Value> valueFor(Instance& instance, Element& element, const Modifier& modifier, const Text& what);
     bool fitsType(const Element& element, const Value& value) const;
     void freeParameters(Instance& instance, Element& element);
+    void bindDiscreteParameters();
     void checkParameter(VariableId id);
 
     Flattening& work_;

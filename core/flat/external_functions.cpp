@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/flat/external_table.hpp"
+#include "core/flat/random_numbers.hpp"
 #include "core/flat/translator.hpp"
 
 namespace analogon {
@@ -35,6 +36,7 @@ public:
         constexpr std::string_view tables = "ModelicaStandardTables_Combi";
         if (name.starts_with(tables)) return table(name.substr(tables.size()));
         if (name.starts_with("ModelicaStrings_")) return strings(name.substr(16));
+        if (name.starts_with("ModelicaRandom_")) return random(name.substr(15));
         return refuse(phrase("the external function '{}' is not known", name));
     }
 
@@ -211,12 +213,42 @@ private:
         return give(value);
     }
 
+    // ---------------------------------------------------------------------------------------------------- random
+
+    bool random(const std::string& what) {
+        if (what == "xorshift64star") return draw(xorshift64star, 2);
+        if (what == "xorshift128plus") return draw(xorshift128plus, 4);
+        if (what == "xorshift1024star") return draw(xorshift1024star, 33);
+        // What the generator without a state of the caller's is set to is never asked for: drawing from it is refused.
+        if (what == "setInternalState_xorshift1024star") return true;
+        // Two runs of a model give the same.
+        if (what == "automaticGlobalSeed") return give(pool_.constant(hashOf(work_.model.name)), FlatType::Integer);
+        if (what.starts_with("impureRandom"))
+            return refuse(phrase("random numbers of a generator with a hidden state are not supported"),
+                          phrase("draw them from a generator whose state is a variable: Modelica.Blocks.Noise, or "
+                                 "Modelica.Math.Random.Generators"));
+        return refuse(phrase("the external function '{}' is not known", "ModelicaRandom_" + what));
+    }
+
+    /// `(stateIn, stateOut, result)`
+    bool draw(RandomStep (*generator)(ExpressionPool&, std::span<const ExpressionId>), std::size_t size) {
+        if (arguments_.size() != 3 || arguments_[0].elements.size() != size)
+            return refuse(phrase("the state of a random number generator has {} Integers here", size));
+        RandomStep step = generator(pool_, arguments_[0].elements);
+        Value next = arguments_[0];
+        next.elements = std::move(step.state);
+        const auto nameOf = [&](std::size_t i) { return external_.arguments[i].name.parts.front().identifier; };
+        return work_.translator->setLocal(nameOf(1), std::move(next)) &&
+               work_.translator->setLocal(nameOf(2), Value::scalar(FlatType::Real, step.number));
+    }
+
     // --------------------------------------------------------------------------------------------------- strings
 
     bool strings(const std::string& what) {
         const auto first = text(0);
         if (!first) return refuse(phrase("the text must be known before the simulation"));
         if (what == "length") return give(pool_.constant(static_cast<double>(first->size())), FlatType::Integer);
+        if (what == "hashString") return give(pool_.constant(hashOf(*first)), FlatType::Integer);
         if (what == "skipWhiteSpace") {
             const auto from = number(1);
             if (!from || *from < 1) return refuse(phrase("the text must be known before the simulation"));

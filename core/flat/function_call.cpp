@@ -38,14 +38,15 @@ constexpr std::array elementaries{
 };
 
 constexpr std::array otherFunctions{
-    "der",    "delay",  "noEvent", "smooth",   "homotopy",     "min",       "max",        "sum",      "product",
-    "size",   "zeros",  "ones",    "fill",     "linspace",     "scalar",    "vector",     "pre",      "edge",
-    "change", "sample", "initial", "terminal", "String",       "cat",       "transpose",  "identity", "diagonal",
-    "matrix", "ndims",  "cross",   "skew",     "outerProduct", "symmetric", "semiLinear", "array"};
+    "der",       "delay",      "noEvent",  "smooth",         "homotopy", "min",      "max",    "sum",
+    "product",   "size",       "zeros",    "ones",           "fill",     "linspace", "scalar", "vector",
+    "pre",       "edge",       "change",   "sample",         "initial",  "terminal", "String", "cat",
+    "transpose", "identity",   "diagonal", "matrix",         "ndims",    "cross",    "skew",   "outerProduct",
+    "symmetric", "semiLinear", "array",    "getInstanceName"};
 
-constexpr std::array refusedFunctions{
-    "reinit", "terminate", "inStream", "actualStream", "cardinality", "getInstanceName", "spatialDistribution",
-    "Clock",  "previous",  "hold",     "subSample",    "superSample"};
+constexpr std::array refusedFunctions{"reinit",      "terminate",           "inStream",   "actualStream",
+                                      "cardinality", "spatialDistribution", "Clock",      "previous",
+                                      "hold",        "subSample",           "superSample"};
 
 template <class Table>
 bool contains(const Table& table, std::string_view name) {
@@ -93,6 +94,7 @@ public:
         if (name_ == "transpose" || name_ == "matrix" || name_ == "symmetric") return turned();
         if (name_ == "cross" || name_ == "skew" || name_ == "outerProduct") return ofVectors();
         if (name_ == "semiLinear") return semiLinear();
+        if (name_ == "getInstanceName") return instanceName();
         bool isKnown = false;
         auto event = work_.events->call(call_, scope_, isKnown);
         if (isKnown) return event;
@@ -632,6 +634,15 @@ private:
         const ExpressionId isZero = pool_.unary(Operation::NoEvent, pool_.binary(Operation::Equal, u, zero));
         const ExpressionId mixing = pool_.multiply(pool_.constant(trace), pool_.subtract(positive, negative));
         return Value::scalar(FlatType::Real, pool_.add(linear, pool_.ifThenElse(isZero, mixing, zero)));
+    }
+
+    /// "Model.component.part": the class that is simulated without its packages, then the component.
+    std::optional<Value> instanceName() {
+        if (!take({}, 0)) return std::nullopt;
+        if (!scope_.instance) return fail(phrase("'{}' stands in a function, which is no component", name_));
+        const std::string& model = work_.model.name;
+        const std::string& component = scope_.instance->component().name;
+        return Value::text(model.substr(model.rfind('.') + 1) + (component.empty() ? "" : "." + component));
     }
 
     /// A function, the constructor of a record or of an external object.

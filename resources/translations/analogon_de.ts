@@ -10030,6 +10030,22 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>die Tabelle von '{}' muss vor der Simulation bekannt sein</translation>
     </message>
     <message>
+        <source>random numbers of a generator with a hidden state are not supported</source>
+        <translation>Zufallszahlen eines Generators mit verborgenem Zustand werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>draw them from a generator whose state is a variable: Modelica.Blocks.Noise, or Modelica.Math.Random.Generators</source>
+        <translation>sie aus einem Generator ziehen, dessen Zustand eine Variable ist: Modelica.Blocks.Noise oder Modelica.Math.Random.Generators</translation>
+    </message>
+    <message>
+        <source>the state of a random number generator has {} Integers here</source>
+        <translation>der Zustand eines Zufallszahlengenerators hat hier {} Integer</translation>
+    </message>
+    <message>
+        <source>'{}' stands in a function, which is no component</source>
+        <translation>„{}“ steht in einer Funktion, die keine Komponente ist</translation>
+    </message>
+    <message>
         <source>the table &quot;{}&quot; of a function 'usertab' is not supported</source>
         <translation>die Tabelle „{}“ einer Funktion „usertab“ wird nicht unterstützt</translation>
     </message>

@@ -329,6 +329,27 @@ TEST(EventRun, AMixtureWithoutFlowIsTheMeanOfWhatIsAroundIt) {
     EXPECT_NEAR(run.last("T"), 71.5 - (71.5 - second) * std::exp(-0.4 * 0.4), 1e-6);
 }
 
+TEST(EventRun, RandomNumbersAreDrawnAtSamples) {
+    const Simulated run = runOf(R"(
+        function draw input Integer before[2]; output Real number; output Integer after[2];
+          external "C" ModelicaRandom_xorshift64star(before, after, number); end draw;
+        model M Real r(start = 0, fixed = true); Integer state[2](start = {1, 0}, each fixed = true);
+        equation
+          when sample(0.1, 0.1) then (r, state) = draw(pre(state)); end when;
+        end M;)",
+                                {"r"}, 0.55);
+    ASSERT_RAN(run);
+    std::uint64_t x = 1;
+    for (int k = 1; k <= 5; ++k) {
+        x ^= x >> 12;
+        x ^= x << 25;
+        x ^= x >> 27;
+        x *= 2685821657736338717u;
+        const double number = static_cast<double>(static_cast<std::int64_t>(x)) * std::ldexp(1, -64) + 0.5;
+        EXPECT_EQ(run.at(0.1 * k + 0.04, "r"), number) << k;
+    }
+}
+
 TEST(EventRun, WhatKeepsSwitchingIsNamed) {
     const Simulated run =
         runOf("model M Boolean b(start = false, fixed = true); equation b = not pre(b); end M;", {"b"});
