@@ -211,14 +211,14 @@ std::string packComment(const OpenedStudy& opened) {
     return "analogon-pack-1 " + QCryptographicHash::hash(origin, QCryptographicHash::Sha256).toHex().toStdString();
 }
 
-Outcome<OpenedStudy> openArchive(const fs::path& archive) {
+Outcome<OpenedStudy> openArchive(const fs::path& archive, UnreadMeasurement unread) {
     Outcome<std::shared_ptr<const TemporaryDirectory>> files = TemporaryDirectory::make();
     if (!files) return files.diagnostics();
     const fs::path directory = (*files)->path();
     const Outcome<Done> unpacked = unpackInto({archive, directory, (*files)->place()});
     if (!unpacked) return unpacked.diagnostics();
     if (const Outcome<Done> isWithin = checkReach(directory, archive); !isWithin) return isWithin.diagnostics();
-    Outcome<Study> study = readStudy(directory);
+    Outcome<Study> study = readStudy(directory, unread);
     Diagnostics messages = renamed(study.diagnostics(), directory.string(), archive.string());
     if (!study) return messages;
     messages.insert(messages.begin(), unpacked.diagnostics().begin(), unpacked.diagnostics().end());
@@ -324,10 +324,10 @@ bool isArchive(const fs::path& path) {
     return path.extension() == archiveEnding || path.extension() == ".zip";
 }
 
-Outcome<OpenedStudy> openStudy(const fs::path& path) {
+Outcome<OpenedStudy> openStudy(const fs::path& path, UnreadMeasurement unread) {
     std::error_code code;
-    if (isArchive(path) && fs::exists(path, code)) return openArchive(path);
-    Outcome<Study> study = readStudy(path);
+    if (isArchive(path) && fs::exists(path, code)) return openArchive(path, unread);
+    Outcome<Study> study = readStudy(path, unread);
     if (!study) return study.diagnostics();
     Diagnostics messages = study.diagnostics();
     std::vector<PastRun> history = historyIn(study->directory, *study, messages);

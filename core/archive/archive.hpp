@@ -35,7 +35,8 @@ bool isArchive(const std::filesystem::path& path);
 /// says, one of ArchiveLimits, a measurement or a library outside of the archive. A history that is damaged is lost,
 /// with a warning; the study is not.
 /// Throws Stopped (core/base/stop) where that was asked for meanwhile.
-Outcome<OpenedStudy> openStudy(const std::filesystem::path& path);
+Outcome<OpenedStudy> openStudy(const std::filesystem::path& path,
+                               UnreadMeasurement unread = UnreadMeasurement::Refused);
 
 /// Writes a study and its history into an archive (ending .analogon) or a directory. Whatever happens in between, the
 /// archive is the old one or the new one, whole; so is the study of a directory, and its history follows. Notes: see

@@ -60,6 +60,7 @@ Table cutTo(const Table& table, std::size_t first, std::size_t last, const std::
 std::vector<ExperimentState> measuredExperiments(const Study& study) {
     std::vector<ExperimentState> experiments;
     for (const StudyExperiment& recorded : study.experiments) {
+        if (!recorded.isUsed) continue;
         const std::shared_ptr<const Table> whole = shownTable(study.tables, recorded);
         if (!whole || !whole->find(recorded.timeColumn, recorded.timeGroup)) continue;
         const auto [first, last] = usedRows(*whole, recorded);

@@ -33,7 +33,7 @@ StudyStart& startIn(StudyExperiment& experiment, const std::string& parameter) {
 void completeStarts(Study& study, const ModelState& state) {
     std::vector<StudyExperiment*> fitted;
     for (StudyExperiment& x : study.experiments)
-        if (x.role == Role::Fit) fitted.push_back(&x);
+        if (x.isUsed && x.role == Role::Fit) fitted.push_back(&x);
     for (const FitEstimate& e : state.parameters) {
         if (e.experiment < 0 || e.experiment >= static_cast<int>(fitted.size())) continue;
         StudyStart& start = startIn(*fitted[static_cast<std::size_t>(e.experiment)], e.name);

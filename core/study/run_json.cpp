@@ -449,6 +449,7 @@ Study studyFrom(const Json& json, const std::string& name, const Study& present)
     study->json = nullptr;
     study->directory = present.directory;
     study->tables = present.tables;
+    study->unread = present.unread;
     study->libraryPaths = present.libraryPaths;  // those of then were relative to another place
     for (StudyExperiment& e : study->experiments) e.file = presentFile(e, present);
     return std::move(*study);

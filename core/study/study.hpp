@@ -38,6 +38,7 @@ struct StudyExperiment {
     ReadOptions read{};     // how a text is written
     Raster raster{};
     bool isTimeOfFile{};  // the study does not name its time: it is the one that the file tells
+    bool isUsed{true};    // "use": false: it stays in the study, and no work looks at it
 };
 
 struct StudyParameter {
@@ -63,14 +64,19 @@ struct Study {
     std::map<std::string, std::string> models;                   // .mo files: name -> text
     std::string modelFile{"model.mo"};                           // the one that holds the composed model
     std::map<std::string, std::shared_ptr<const Table>> tables;  // measurement files that are used, by tableKey
+    std::map<std::string, Diagnostics> unread{};                 // why others have no table, by tableKey
     std::filesystem::path directory;  // where it was read from (measurements are copied from here)
     std::string extraJson;            // members of study.json that we do not know, kept
     SourcePtr json;                   // the study.json it was read from, for messages; may be null
 };
 
+/// What a measurement that is missing or cannot be read means: a fault of the study, or one that is kept in
+/// Study::unread, and told where the recording is asked for. Of a recording that is not used it is always the latter.
+enum class UnreadMeasurement { Refused, Kept };
+
 /// Reads a directory with study.json, the study.json itself, or an .analogon archive. Every fault names file,
 /// line and column or row. Tables are read here; units are checked in estimationTask.
-Outcome<Study> readStudy(const std::filesystem::path& path);
+Outcome<Study> readStudy(const std::filesystem::path& path, UnreadMeasurement unread = UnreadMeasurement::Refused);
 
 /// A library that lies outside of a study that is written elsewhere is named by its whole path there, or, for an
 /// archive, which reads itself alone, included.

@@ -107,14 +107,32 @@ Outcome<std::shared_ptr<const Table>> readMeasurement(const Study& study, const 
     return calledAs(*table, file);
 }
 
-Outcome<Study> readFolder(const fs::path& file, const StudyFolder& folder) {
+/// The tables of the experiments; why there is none of others is a fault, or kept with the study.
+Diagnostics readMeasurements(Study& study, const StudyFolder& folder, UnreadMeasurement unread, Diagnostics& warnings) {
+    Diagnostics faults;
+    for (std::size_t i = 0; i < study.experiments.size(); ++i) {
+        const std::string name = tableKey(study.experiments[i]);
+        const bool isRefused = unread == UnreadMeasurement::Refused && study.experiments[i].isUsed;
+        if (study.tables.contains(name) || (study.unread.contains(name) && !isRefused)) continue;
+        auto table = readMeasurement(study, folder, i, warnings);
+        if (table)
+            study.tables[name] = *table;
+        else if (isRefused)
+            faults.insert(faults.end(), table.diagnostics().begin(), table.diagnostics().end());
+        else
+            study.unread[name] = table.diagnostics();
+    }
+    return faults;
+}
+
+Outcome<Study> readFolder(const fs::path& file, const StudyFolder& folder, UnreadMeasurement unread) {
     Outcome<std::string> json = readRegularFile(folder.place(file.filename()), largestText);
     if (!json) return json.diagnostics();
     Outcome<Study> parsed = parseStudyJson(std::make_shared<const Source>(file.string(), std::move(*json)));
     if (!parsed) return parsed;
 
     Study study = std::move(*parsed);
-    Diagnostics warnings = parsed.diagnostics(), faults;
+    Diagnostics warnings = parsed.diagnostics();
     study.directory = file.parent_path();
     study.name = fs::absolute(file).lexically_normal().parent_path().filename().string();
     for (const std::string& name : folder.filesEndingIn(".mo")) {
@@ -123,24 +141,14 @@ Outcome<Study> readFolder(const fs::path& file, const StudyFolder& folder) {
         study.models[name] = std::move(*text);
     }
     study.modelFile = fileOfClass(study.models, study.className);
-    for (std::size_t i = 0; i < study.experiments.size(); ++i) {
-        const std::string name = tableKey(study.experiments[i]);
-        if (study.tables.contains(name)) continue;
-        auto table = readMeasurement(study, folder, i, warnings);
-        if (table) {
-            study.tables[name] = *table;
-        } else {
-            faults.insert(faults.end(), table.diagnostics().begin(), table.diagnostics().end());
-        }
-    }
-    if (!faults.empty()) return faults;
+    if (Diagnostics faults = readMeasurements(study, folder, unread, warnings); !faults.empty()) return faults;
     for (StudyExperiment& experiment : study.experiments) findTime(study.tables, experiment);
     return {std::move(study), std::move(warnings)};
 }
 
 }  // namespace
 
-Outcome<Study> readStudy(const std::filesystem::path& path) {
+Outcome<Study> readStudy(const std::filesystem::path& path, UnreadMeasurement unread) {
     std::error_code code;
     fs::path directory = fs::is_directory(path, code) ? path : path.parent_path();
     if (directory.empty()) directory = ".";
@@ -149,7 +157,7 @@ Outcome<Study> readStudy(const std::filesystem::path& path) {
     const StudyFolder folder(directory);
     const Outcome<fs::path> file = studyFile(path, folder);
     if (!file) return file.diagnostics();
-    return readFolder(*file, folder);
+    return readFolder(*file, folder, unread);
 }
 
 }  // namespace analogon

@@ -191,9 +191,10 @@ private:
                 if (other.name == experiment.name && !other.name.empty())
                     fault(node.member("name"), phrase("there are two experiments named '{}'", other.name),
                           phrase("Give each experiment its own name."));
-            keepUnknown(node,
-                        {"name", "role", "file", "time", "range", "inputs", "outputs", "initial", "read", "raster"},
-                        phrase("an experiment"), kept);
+            keepUnknown(
+                node,
+                {"name", "role", "use", "file", "time", "range", "inputs", "outputs", "initial", "read", "raster"},
+                phrase("an experiment"), kept);
             if (!kept.empty()) extra_["experiments"][experiment.name] = kept;
             study_.experiments.push_back(std::move(experiment));
         }
@@ -210,6 +211,10 @@ private:
             if (text != "fit" && text != "validate")
                 expected(role, phrase("\"fit\" or \"validate\""), alike(text, {"fit", "validate"}));
             experiment.role = text == "validate" ? Role::Validate : Role::Fit;
+        }
+        if (const Node use = node.member("use")) {
+            if (!use.value->is_boolean()) expected(use, phrase("true or false"));
+            experiment.isUsed = !use.value->is_boolean() || use.value->get<bool>();
         }
         if (const Node range = node.member("range")) experiment.range = readRange(range);
         if (const Node read = node.member("read")) experiment.read = readOptions(read, kept);

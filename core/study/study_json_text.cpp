@@ -82,6 +82,7 @@ Json experimentJson(const StudyExperiment& experiment) {
     Json json{{"name", experiment.name},
               {"role", experiment.role == Role::Fit ? "fit" : "validate"},
               {"file", experiment.file}};
+    if (!experiment.isUsed) json["use"] = false;
     if (!experiment.isTimeOfFile) json["time"] = channelJson({experiment.timeColumn, experiment.timeGroup});
     if (experiment.read != ReadOptions{}) json["read"] = readJson(experiment.read);
     if (experiment.raster.kind != Raster::Kind::Outputs) json["raster"] = rasterJson(experiment.raster);

@@ -64,8 +64,12 @@ public:
         if (study_.experiments.empty())
             fault("/experiments", phrase("the study has no experiment"), phrase("Add a measurement to it."));
         parameters_.read(task_.parameters, fixed_);
+        const auto isUsed = [](const StudyExperiment& e) { return e.isUsed; };
+        if (!study_.experiments.empty() && std::none_of(study_.experiments.begin(), study_.experiments.end(), isUsed))
+            fault("/experiments", phrase("no experiment of the study is used"),
+                  phrase("Take one back in: leave out its \"use\": false."));
         for (std::size_t i = 0; i < study_.experiments.size(); ++i)
-            readExperiment(study_.experiments[i], fmt::format("/experiments/{}", i));
+            if (study_.experiments[i].isUsed) readExperiment(study_.experiments[i], fmt::format("/experiments/{}", i));
         addFittedClocks();
         if (hasError(said_)) return distinct(std::move(said_));
         return {std::move(task_), distinct(std::move(said_))};
@@ -162,6 +166,10 @@ private:
 
     void readExperiment(const StudyExperiment& experiment, const std::string& pointer) {
         file_ = fileTable(study_.tables, experiment);
+        if (const auto unread = study_.unread.find(tableKey(experiment)); !file_ && unread != study_.unread.end()) {
+            keep(Outcome<Done>(unread->second));
+            return;
+        }
         if (!file_)
             return fault(pointer + "/file",
                          phrase("experiment '{}': the file '{}' has not been read", experiment.name, experiment.file));

@@ -149,6 +149,9 @@ private:
         }
         const auto table = std::find_if(study_.tables.begin(), study_.tables.end(),
                                         [&](const auto& known) { return fileOfKey(known.first) == from; });
+        const bool isUnread = std::any_of(study_.unread.begin(), study_.unread.end(),
+                                          [&](const auto& known) { return fileOfKey(known.first) == from; });
+        if (table == study_.tables.end() && isUnread) return Done{};  // there was none to be written
         if (table == study_.tables.end() || !table->second || !table->second->others.empty())
             return fileError(phrase("the measurement is neither on disk nor in the study"), source.string());
         return put(place, writeCsv(*table->second));

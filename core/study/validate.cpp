@@ -15,6 +15,14 @@ namespace analogon {
 
 namespace {
 
+/// The recordings of a task are those of the experiments that are used, in their order.
+std::vector<std::size_t> usedExperiments(const Study& study) {
+    std::vector<std::size_t> used;
+    for (std::size_t e = 0; e < study.experiments.size(); ++e)
+        if (study.experiments[e].isUsed) used.push_back(e);
+    return used;
+}
+
 bool isFitted(const Recording& recording) { return recording.role == Role::Fit; }
 
 bool hasFitted(const EstimationTask& task) {
@@ -49,7 +57,7 @@ std::size_t measuredValues(const EstimationTask& task) {
 class FitNeeds {
 public:
     FitNeeds(const Study& study, const EstimationTask& task, Purpose purpose)
-        : places_(study), task_(task), purpose_(purpose) {}
+        : places_(study), used_(usedExperiments(study)), task_(task), purpose_(purpose) {}
 
     Diagnostics unmet() {
         if (purpose_ == Purpose::Simulate) return {};
@@ -65,8 +73,8 @@ public:
             checkParameters();
         for (std::size_t e = 0; e < task_.recordings.size(); ++e) {
             const Recording& recording = task_.recordings[e];
-            checkSizes(e, "inputs", recording, recording.inputNames, recording.inputs);
-            checkSizes(e, "outputs", recording, recording.outputNames, recording.outputs);
+            checkSizes(used_[e], "inputs", recording, recording.inputNames, recording.inputs);
+            checkSizes(used_[e], "outputs", recording, recording.outputNames, recording.outputs);
         }
         return std::move(said_);
     }
@@ -110,7 +118,7 @@ private:
 
     std::string placeOfWeights() const {
         for (std::size_t i = 0; i < task_.recordings.size(); ++i)
-            if (isFitted(task_.recordings[i])) return fmt::format("/experiments/{}/outputs", i);
+            if (isFitted(task_.recordings[i])) return fmt::format("/experiments/{}/outputs", used_[i]);
         return "/experiments";
     }
 
@@ -120,6 +128,7 @@ private:
     }
 
     StudyPlaces places_;
+    std::vector<std::size_t> used_;
     const EstimationTask& task_;
     Purpose purpose_;
     Diagnostics said_;
@@ -127,7 +136,8 @@ private:
 
 /// Inputs that are held in one recording and joined by straight lines in another that does not ask for lines.
 Diagnostics heldInPartAlone(const Study& study, const EstimationTask& task) {
-    if (task.recordings.size() != study.experiments.size()) return {};
+    const std::vector<std::size_t> used = usedExperiments(study);
+    if (task.recordings.size() != used.size()) return {};
     const StudyPlaces places(study);
     std::map<std::string, std::string> heldIn;  // the first recording in which each is
     for (const Recording& r : task.recordings)
@@ -138,12 +148,13 @@ Diagnostics heldInPartAlone(const Study& study, const EstimationTask& task) {
         std::string pointer;
         for (std::size_t e = 0; e < task.recordings.size(); ++e) {
             const Recording& r = task.recordings[e];
-            const auto mapping = study.experiments[e].inputs.find(input);
+            const auto mapping = study.experiments[used[e]].inputs.find(input);
             const auto row = std::find(r.inputNames.begin(), r.inputNames.end(), input) - r.inputNames.begin();
-            if (mapping == study.experiments[e].inputs.end() || row >= r.inputs.rows() || r.isHeld(input)) continue;
+            if (mapping == study.experiments[used[e]].inputs.end() || row >= r.inputs.rows() || r.isHeld(input))
+                continue;
             const bool isAskedFor = mapping->second.interpolation == Interpolation::Linear;
             if (isAskedFor || !(rangeOf(r.inputs.row(row)).width() > 0)) continue;
-            if (others.empty()) pointer = fmt::format("/experiments/{}/inputs/{}", e, input);
+            if (others.empty()) pointer = fmt::format("/experiments/{}/inputs/{}", used[e], input);
             others.push_back("'" + r.name + "'");
         }
         if (!others.empty())

@@ -33,6 +33,7 @@ Outcome<VariableValues> variableValues(const Study& study, const std::string& ex
     Study alone = study;  // a fault of another recording is no reason to show nothing
     std::erase_if(alone.experiments, [&](const StudyExperiment& e) { return e.name != experiment; });
     if (alone.experiments.empty()) return error(phrase("the study has no experiment {}", experiment));
+    alone.experiments.front().isUsed = true;
     const Role role = alone.experiments.front().role;
     const Outcome<EstimationTask> task = estimationTask(alone, UnusedColumns::Leave);
     if (!task) return task.diagnostics();

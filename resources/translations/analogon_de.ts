@@ -4173,6 +4173,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <source>No report written: see the messages.</source>
         <translation>Kein Bericht geschrieben: siehe Meldungen.</translation>
     </message>
+    <message>
+        <source>Locate the file of %1</source>
+        <translation>Die Datei von %1 suchen</translation>
+    </message>
 </context>
 <context>
     <name>MeasurementPanel</name>
@@ -4369,6 +4373,38 @@ gehalten: Jeder Wert gilt bis zum nächsten Abtastwert</translation>
     <message>
         <source>Double-click or Enter shows the values</source>
         <translation>Doppelklick oder Eingabe zeigt die Werte</translation>
+    </message>
+    <message>
+        <source>Take %1 in</source>
+        <translation>%1 einbeziehen</translation>
+    </message>
+    <message>
+        <source>Leave %1 out</source>
+        <translation>%1 auslassen</translation>
+    </message>
+    <message>
+        <source>Locate the file …</source>
+        <translation>Datei suchen …</translation>
+    </message>
+    <message>
+        <source>Locate %1</source>
+        <translation>%1 als Datei nehmen</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 lesen</translation>
+    </message>
+    <message>
+        <source>Clear the mark to leave the recording out of all work</source>
+        <translation>Haken entfernen, um die Aufzeichnung überall auszulassen</translation>
+    </message>
+    <message>
+        <source>Left out of all work; set the mark to take it in</source>
+        <translation>Überall ausgelassen; Haken setzen, um sie einzubeziehen</translation>
+    </message>
+    <message>
+        <source>Double-click or Enter looks for the file</source>
+        <translation>Doppelklick oder Eingabe sucht die Datei</translation>
     </message>
 </context>
 <context>
@@ -12348,6 +12384,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>a process for the units could not begin: {}</source>
         <translation>ein Prozess für die Exemplare konnte nicht beginnen: {}</translation>
+    </message>
+    <message>
+        <source>no experiment of the study is used</source>
+        <translation>kein Versuch der Studie wird verwendet</translation>
+    </message>
+    <message>
+        <source>Take one back in: leave out its "use": false.</source>
+        <translation>Einen wieder einbeziehen: dessen "use": false weglassen.</translation>
     </message>
 </context>
 <context>

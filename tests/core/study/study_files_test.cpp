@@ -46,6 +46,22 @@ TEST_F(StudyFiles, NameWhatIsMissing) {
     EXPECT_GT(fault.place.column, 40);
 }
 
+TEST_F(StudyFiles, KeepWhyAMeasurementWasNotReadWhereThatIsAskedFor) {
+    putHeater();
+    change("train.csv", "trian.csv");
+    const Outcome<Study> study = readStudy(directory_, UnreadMeasurement::Kept);
+    ASSERT_TRUE(study) << format(study.diagnostics());
+    ASSERT_EQ(study->unread.count("trian.csv"), 1u);
+    EXPECT_EQ(study->unread.at("trian.csv").front().message, "experiment 'warm-up': there is no file 'trian.csv'");
+    const Outcome<EstimationTask> task = estimationTask(*study);
+    ASSERT_FALSE(task) << "no work is done without it unseen";
+    EXPECT_EQ(task.diagnostics().front().message, "experiment 'warm-up': there is no file 'trian.csv'");
+    EXPECT_TRUE(writeStudy(*study, directory_ / "copy")) << "what is there can be saved";
+    EXPECT_TRUE(readStudy(directory_ / "copy", UnreadMeasurement::Kept));
+    change("\"role\": \"fit\"", "\"role\": \"fit\", \"use\": false");
+    EXPECT_TRUE(readStudy(directory_)) << "a recording that is not used need not be there";
+}
+
 TEST_F(StudyFiles, PassOnTheFaultsOfATable) {
     putHeater();
     put("train.csv", "t,u\n0,1\n1,on\n");

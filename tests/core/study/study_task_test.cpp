@@ -36,6 +36,29 @@ TEST_F(StudyTask, HoldsChannelsInTheUnitsOfTheModel) {
     EXPECT_THAT(result.model->text(), HasSubstr("model Heater"));
 }
 
+TEST_F(StudyTask, LeavesOutWhatIsNotUsed) {
+    putHeater();
+    Study study = read();
+    StudyExperiment bad = study.experiments.front();
+    bad.name = "bad";
+    bad.inputs.begin()->second.column = "nowhere";
+    study.experiments.insert(study.experiments.begin(), bad);
+    EXPECT_FALSE(estimationTask(study));
+    study.experiments.front().isUsed = false;
+    const Outcome<EstimationTask> task = estimationTask(study);
+    ASSERT_TRUE(task) << format(task.diagnostics());
+    ASSERT_EQ(task->recordings.size(), 1u);
+    EXPECT_EQ(task->recordings[0].name, "warm-up");
+    const Outcome<Study> again = parseStudyJson(std::make_shared<const Source>("study.json", studyJson(study)));
+    ASSERT_TRUE(again) << format(again.diagnostics());
+    EXPECT_FALSE(again->experiments[0].isUsed);
+    EXPECT_TRUE(again->experiments[1].isUsed);
+    study.experiments.back().isUsed = false;
+    const Outcome<EstimationTask> none = estimationTask(study);
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.diagnostics().front().message, "no experiment of the study is used");
+}
+
 TEST_F(StudyTask, KeepsUnusedColumnsAndBridgesTheirGaps) {
     putHeater();
     const EstimationTask result = task();
