@@ -21,6 +21,7 @@ void Balance::checkConnectors() {
         for (const Instance* i = record.owner; i && !i->isComponent(); i = i->parent)
             if (i->isConnector()) connector = i;
         if (!connector) continue;
+        if (connector->definition->definition->isExpandable) continue;
         if (judged.try_emplace(connector->className, connector).first->second != connector) continue;
         const VariableId id{static_cast<std::uint32_t>(&record - work_.records.data())};
         if (!work_.isContinuous(id) || record.causality != syntax::Causality::None) continue;
@@ -57,7 +58,8 @@ void Balance::countUnknowns() {
         Instance& component = record.owner->component();
         ++component.unknowns;
         const bool isFlow = work_.variable(id).isFlow && (&component != record.owner || element.type.isConnector);
-        const bool isOpenInput = record.causality == syntax::Causality::Input && !record.isProtected &&
+        const bool isRead = work_.connections->isBusSignal(id) && !work_.connections->isDrivenWithin(id);
+        const bool isOpenInput = (record.causality == syntax::Causality::Input || isRead) && !record.isProtected &&
                                  (!record.isBound || work_.connections->isConnectedInside(id));
         if (!isFlow && !isOpenInput) continue;
         ++component.equations;

@@ -23,7 +23,7 @@ std::uint32_t DisjointSets::add() {
     return size() - 1;
 }
 
-std::uint32_t DisjointSets::find(std::uint32_t member) {
+std::uint32_t DisjointSets::find(std::uint32_t member) const {
     while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
     return member;
 }
@@ -69,7 +69,8 @@ std::optional<Connections::Side> Connections::side(const syntax::Expression& exp
     const auto slice = work_.translator->resolve(expression.name, scope);
     if (!slice) return std::nullopt;
     const Element& element = *slice->element;
-    if (!element.type.isConnector) {
+    const bool isSignalOfBus = !slice->variables.empty() && isBusSignal(slice->variables.front());
+    if (!element.type.isConnector && !isSignalOfBus) {
         work_.messages.error(
             phrase("connect: '{}' is {}, not a connector", slice->owner->memberName(element.declaration->name),
                    element.isVariable() ? phrase("a {} variable", element.type.className)
@@ -188,10 +189,11 @@ void Connections::join(const Connector& a, bool aOutside, const Connector& b, bo
 // -------------------------------------------------------------------------------------------------- equations
 
 void Connections::addEquations() {
-    std::vector<std::vector<std::uint32_t>> sets(members_.size());
-    for (std::uint32_t m = 0; m < members_.size(); ++m) sets[sets_.find(m)].push_back(m);
-    for (const auto& set : sets) {
-        if (set.empty()) continue;
+    membersOf_.resize(members_.size());
+    for (std::uint32_t m = 0; m < members_.size(); ++m) membersOf_[sets_.find(m)].push_back(m);
+    dropUnusedSignals();
+    for (const auto& set : membersOf_) {
+        if (set.empty() || isUnused_[members_[set.front()].variable.value]) continue;
         if (work_.variable(members_[set.front()].variable).isFlow)
             flowEquation(set);
         else
@@ -199,6 +201,58 @@ void Connections::addEquations() {
     }
     unconnectedFlows();
     unconnectedInputs();
+}
+
+bool Connections::isBusSignal(VariableId id) const {
+    for (const Instance* i = work_.records[id.value].owner; i && !i->isComponent(); i = i->parent)
+        if (i->definition->definition->isExpandable) return true;
+    return false;
+}
+
+/// What an expandable connector declares is there where something is connected to it, on whatever level (section
+/// 9.1.3). All else is left out; who names it in an equation is told.
+void Connections::dropUnusedSignals() {
+    const std::size_t count = work_.records.size();
+    isUnused_.assign(count, false);
+    std::vector<std::uint32_t> signals;
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (isBusSignal({i}) && work_.isContinuous({i})) signals.push_back(i);
+    if (signals.empty()) return;
+    DisjointSets levels;
+    for (std::size_t i = 0; i < count; ++i) levels.add();
+    for (const auto& set : membersOf_)
+        for (const std::uint32_t m : set) levels.join(members_[set.front()].variable.value, members_[m].variable.value);
+    std::vector<bool> isUsed(count, false), isNamed(count, false);
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (!isBusSignal({i})) isUsed[levels.find(i)] = true;
+    std::vector<ExpressionId> sides;
+    for (const FlatEquation& e : work_.model.equations) sides.insert(sides.end(), {e.left, e.right});
+    for (const ExpressionId leaf : work_.pool.leaves(sides)) isNamed[work_.pool[leaf].variable.value] = true;
+    for (const std::uint32_t i : signals) {
+        if (isUsed[levels.find(i)]) continue;
+        FlatVariable& variable = work_.model.variables[i];
+        if (isNamed[i])
+            work_.messages.error(
+                phrase("nothing is connected to '{}', a signal of an expandable connector", variable.name),
+                variable.declared, phrase("connect it to an output"));
+        isUnused_[i] = true;
+        variable.variability = FlatVariability::Constant;
+        variable.isProtected = true;
+        variable.binding = work_.pool.constant(0);
+    }
+}
+
+bool Connections::isDrivenWithin(VariableId signal) const {
+    const std::size_t key = 2 * std::size_t{signal.value} + 1;
+    if (key >= memberIndex_.size() || !memberIndex_[key]) return false;
+    const auto& set = membersOf_[sets_.find(memberIndex_[key] - 1)];
+    return std::any_of(set.begin(), set.end(), [&](std::uint32_t m) {
+        const Member& member = members_[m];
+        const VariableRecord& record = work_.records[member.variable.value];
+        if (member.isOutside) return record.causality == syntax::Causality::Input && !record.isProtected;
+        if (record.causality == syntax::Causality::Output) return true;
+        return isBusSignal(member.variable) && isDrivenWithin(member.variable);
+    });
 }
 
 std::string Connections::connectorName(VariableId id) const {

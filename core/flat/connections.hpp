@@ -15,12 +15,12 @@ namespace analogon {
 class DisjointSets {
 public:
     std::uint32_t add();
-    std::uint32_t find(std::uint32_t member);
+    std::uint32_t find(std::uint32_t member) const;
     void join(std::uint32_t a, std::uint32_t b);
     std::uint32_t size() const { return static_cast<std::uint32_t>(parent_.size()); }
 
 private:
-    std::vector<std::uint32_t> parent_;
+    mutable std::vector<std::uint32_t> parent_;  // paths are shortened while they are followed
 };
 
 /// Connection sets and their equations (Modelica 3.6, sections 9.1 to 9.3). A connector of the class that holds
@@ -36,6 +36,10 @@ public:
     /// The sets of whole connectors, for FlatModel::connections.
     void listSets();
     bool isConnectedInside(VariableId id) const;
+    /// A signal of an expandable connector (section 9.1.3). After addEquations(): whether what stands in the component
+    /// that has the connector gives its value; else the component reads it, as an input.
+    bool isBusSignal(VariableId id) const;
+    bool isDrivenWithin(VariableId signal) const;
 
 private:
     struct Connector {
@@ -66,6 +70,7 @@ private:
     std::uint32_t memberOf(VariableId variable, bool isOutside, const Scope& scope, const Span& span);
     std::uint32_t connectorSet(const Connector& connector);
 
+    void dropUnusedSignals();
     void flowEquation(const std::vector<std::uint32_t>& set);
     void potentialEquations(const std::vector<std::uint32_t>& set);
     void unconnectedFlows();
@@ -80,6 +85,8 @@ private:
     std::vector<Member> members_;
     std::vector<std::uint32_t> memberIndex_;  // by 2 * variable + isOutside; 0: none, else index + 1
     DisjointSets sets_;
+    std::vector<std::vector<std::uint32_t>> membersOf_;  // by the member that stands for its set
+    std::vector<bool> isUnused_;                         // by variable: a signal of a bus that nothing is connected to
     std::vector<std::pair<std::string, std::string>> connectors_;  // name, class
     std::unordered_map<std::string, std::uint32_t> connectorIndex_;
     DisjointSets connectorSets_;

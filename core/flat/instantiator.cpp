@@ -333,11 +333,6 @@ bool Instantiator::mayContain(const Instance& instance, const Element& element) 
                              phrase("write the relation as equations of a block"));
         return false;
     }
-    if (tree.isExpandable) {
-        work_.messages.error(phrase("expandable connectors are not supported"), element.declaration->typeSpan,
-                             phrase("list the variables in a plain connector"));
-        return false;
-    }
     if (!mayBeComponent(tree.restriction)) {
         work_.messages.error(
             phrase("'{}' cannot be a component: {} is a {}", name, type->qualifiedName, keyword(tree.restriction)),

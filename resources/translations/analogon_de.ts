@@ -10498,12 +10498,12 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Modellieren, was sich um eine Achse bewegt: Die Schwerkraft um sie ist {} ({}), ein Arm eine Trägheit.</translation>
     </message>
     <message>
-        <source>expandable connectors are not supported</source>
-        <translation>erweiterbare Konnektoren werden nicht unterstützt</translation>
+        <source>nothing is connected to '{}', a signal of an expandable connector</source>
+        <translation>nichts ist mit „{}“ verbunden, einem Signal eines erweiterbaren Konnektors</translation>
     </message>
     <message>
-        <source>list the variables in a plain connector</source>
-        <translation>die Variablen in einem einfachen Konnektor aufzählen</translation>
+        <source>connect it to an output</source>
+        <translation>mit einem Ausgang verbinden</translation>
     </message>
     <message>
         <source>initial algorithm sections are not supported</source>

@@ -200,5 +200,40 @@ TEST(Connect, OverconstrainedConnectorsAreRefusedOnceWhereTheModelNamesAComponen
                                      HasSubstr("Use components whose connectors have potentials and flows"))));
 }
 
+/// A bus whose signals come from a part, go to a part, and one that nobody uses.
+const char* const busText = R"(
+  connector In = input Real; connector Out = output Real;
+  expandable connector Sub Real level; Real idle; Integer count; end Sub;
+  expandable connector Bus Real speed; Real unused; Sub sub; end Bus;
+  block Source Out y; equation y = time; end Source;
+  block Twice In u; Out y; equation y = 2*u; end Twice;
+  model Writer Sub bus; Source s; equation connect(s.y, bus.level); end Writer;
+  model Reader Bus bus; Twice g; equation connect(bus.speed, g.u); end Reader;
+)";
+
+TEST(Expandable, SignalsAreThereWhereSomethingIsConnected) {
+    const FlatModel model = flatOf(busText + std::string(R"(
+  model M Writer w; Reader r; Source s; Twice own;
+  protected Bus bus;
+  equation connect(s.y, bus.speed); connect(r.bus, bus); connect(w.bus, bus.sub); connect(bus.sub.level, own.u); end M;)"));
+    const auto all = equations(model);
+    EXPECT_EQ(variable(model, "bus.unused").variability, FlatVariability::Constant);
+    EXPECT_EQ(variable(model, "w.bus.idle").variability, FlatVariability::Constant);
+    EXPECT_EQ(variable(model, "bus.sub.level").variability, FlatVariability::Continuous);
+    std::size_t unknowns = 0;
+    for (const FlatVariable& v : model.variables) unknowns += v.variability == FlatVariability::Continuous ? 1 : 0;
+    EXPECT_EQ(all.size(), unknowns);
+}
+
+TEST(Expandable, ASignalThatNobodyDrivesIsTold) {
+    const auto named = faultsOf(busText + std::string(R"(
+  model M Bus bus; Real x = bus.unused; end M;)"));
+    ASSERT_EQ(named.size(), 1u);
+    EXPECT_THAT(named[0], HasSubstr("nothing is connected to 'bus.unused'"));
+    EXPECT_FALSE(faultsOf(busText + std::string(R"(
+  model M Reader r; Twice t; protected Bus bus; equation connect(r.bus, bus); connect(bus.speed, t.u); end M;)"))
+                     .empty());
+}
+
 }  // namespace
 }  // namespace analogon
