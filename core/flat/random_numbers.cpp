@@ -105,7 +105,8 @@ public:
 
 private:
     ExpressionId quotient(ExpressionId a, double powerOfTwo) {
-        return pool_.unary(Operation::Floor, pool_.multiply(a, number(1 / powerOfTwo)));
+        return pool_.unary(Operation::NoEvent,
+                           pool_.unary(Operation::Floor, pool_.multiply(a, number(1 / powerOfTwo))));
     }
 
     ExpressionId sum(const ExpressionId* bits, int count) {

@@ -33,6 +33,7 @@ private:
     void createEntities();
     int entityOf(ExpressionId node);
     bool round();
+    void joinEqualSides();
     std::optional<Row> rowOf(const Equation& equation);
     bool addTerms(ExpressionId of, double scale, Row& row);
     Row seen(const Row& row, double largest) const;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "core/structure/alias_elimination.hpp"
 #include "core/structure/rewrite.hpp"
@@ -167,8 +168,30 @@ std::vector<int> AliasElimination::takeWaiting(int root) {
     return rows;
 }
 
+/// Two variables with derivatives that are set to the same expression are one: left apart, both would be taken for
+/// states, and what the second equation says would cancel.
+void AliasElimination::joinEqualSides() {
+    std::unordered_map<std::uint32_t, ExpressionId> setTo;  // by the expression
+    for (std::size_t i = 0; i < system_.equations.size(); ++i) {
+        if (!isOpen_[i]) continue;
+        Equation& equation = system_.equations[i];
+        const auto join = [&](ExpressionId name, ExpressionId& expression) {
+            const ExpressionNode node = pool_[name], other = pool_[expression];
+            const bool isState = node.operation == Operation::Variable &&
+                                 isUnknownVariable((*system_.model)[node.variable]) &&
+                                 isDifferentiated_[node.variable.value];
+            if (!isState || !other.a.valid()) return false;
+            const auto [first, isNew] = setTo.emplace(expression.value, name);
+            if (!isNew && first->second != name) expression = first->second;
+            return true;
+        };
+        if (!join(equation.left, equation.right)) join(equation.right, equation.left);
+    }
+}
+
 /// One pass over all equations, to the end of what linear rows can tell. True when something was merged.
 bool AliasElimination::round() {
+    joinEqualSides();
     std::vector<Row> rows;
     std::vector<std::size_t> queue;
     for (std::size_t i = 0; i < system_.equations.size(); ++i) {

@@ -39,5 +39,30 @@ TEST(Aliases, ManyEqualVariablesAreMergedInTheTimeThatTheirNumberTakes) {
     EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 5);
 }
 
+/// A gear box that tells its twist, with a spring inside that tells the same.
+TEST(Aliases, TwoStatesThatAreSetToTheSameAreOne) {
+    const char* const text = R"(
+        model M
+          Real a(start = 1), b(start = 0, fixed = true), u(start = 0, fixed = true), m;
+          Real outer_(start = 1, fixed = true, stateSelect = StateSelect.prefer);
+          Real speed(start = 0, fixed = true, stateSelect = StateSelect.prefer);
+          Real inner_(stateSelect = StateSelect.prefer), w(stateSelect = StateSelect.prefer);
+          output Real y;
+        equation
+          der(b) = u; 3*der(u) = y; b = m;
+          outer_ = a - m; speed = der(outer_);
+          inner_ = a - m; w = der(inner_);
+          y = 5*inner_ + 0.1*w;
+          2*der(w) = -y + der(speed);
+        end M;)";
+    const Outcome<Library> library = Library().withSource(std::make_shared<const Source>("m.mo", text));
+    ASSERT_TRUE(library) << format(library.diagnostics());
+    Outcome<FlatModel> flat = flatten(*library, "M");
+    ASSERT_TRUE(flat) << format(flat.diagnostics());
+    const Structure s = analysed(std::make_shared<const FlatModel>(std::move(*flat)));
+    EXPECT_EQ(s.states.size(), 4u);
+    EXPECT_EQ(standIn(s, "inner_"), "outer_");
+}
+
 }  // namespace
 }  // namespace analogon
