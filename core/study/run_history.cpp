@@ -158,6 +158,25 @@ PastRun readRun(const fs::path& file, const Study& study, Diagnostics& warnings)
     }
 }
 
+/// The pinned ones and the last of the others, oldest first.
+std::vector<const PastRun*> runsToKeep(const std::vector<PastRun>& runs, const HistoryLimits& limits) {
+    std::vector<const PastRun*> kept;
+    std::size_t pinned = 0, others = 0;
+    for (auto run = runs.rbegin(); run != runs.rend(); ++run)
+        if (run->isPinned ? pinned++ < limits.pinned : others++ < limits.runs) kept.push_back(&*run);
+    std::reverse(kept.begin(), kept.end());
+    return kept;
+}
+
+/// Places of the runs in the order in which their traces take the room.
+std::vector<std::size_t> byClaim(const std::vector<const PastRun*>& runs) {
+    std::vector<std::size_t> order(runs.size());
+    for (std::size_t i = 0; i < runs.size(); ++i) order[i] = runs.size() - 1 - i;
+    const auto claim = [&](std::size_t i) { return (runs[i]->isShown ? 2 : 0) + (runs[i]->isPinned ? 1 : 0); };
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return claim(a) > claim(b); });
+    return order;
+}
+
 }  // namespace
 
 bool hasTraces(const RunResult& result) {
@@ -170,10 +189,10 @@ Outcome<Done> writeHistory(const std::vector<PastRun>& runs, const fs::path& dir
     if (!fs::create_directories(directory, code))
         return cannotWrite(directory, code ? code : std::make_error_code(std::errc::file_exists));
     TraceWriter traces(directory, limits.traceBytes);
-    const std::size_t count = std::min(limits.runs, runs.size());
-    for (std::size_t i = 0; i < count; ++i) {  // the latest first: they have the first claim on the room
-        const std::string text = traces.keep(runs[runs.size() - 1 - i]);
-        const fs::path file = directory / fmt::format("run-{:04}.json", count - i);
+    const std::vector<const PastRun*> kept = runsToKeep(runs, limits);
+    for (const std::size_t i : byClaim(kept)) {
+        const std::string text = traces.keep(*kept[i]);
+        const fs::path file = directory / fmt::format("run-{:04}.json", i + 1);
         if (!writeFile(file, text.data(), text.size())) return cannotWrite(file, lastFault());
         if (!traces.failed().empty()) return cannotWrite(traces.failed(), lastFault());
     }
@@ -186,7 +205,7 @@ Outcome<std::vector<PastRun>> readHistory(const fs::path& directory, const Study
     for (const auto& entry : fs::directory_iterator(directory, code))
         if (isOwnFile(entry.path()) && entry.path().extension() == ".json") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
-    if (const std::size_t most = HistoryLimits{}.runs; files.size() > most)
+    if (const std::size_t most = HistoryLimits{}.runs + HistoryLimits{}.pinned; files.size() > most)
         files.erase(files.begin(), files.end() - static_cast<std::ptrdiff_t>(most));
     std::vector<PastRun> runs;
     Diagnostics warnings;

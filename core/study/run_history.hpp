@@ -24,15 +24,22 @@ struct PastRun {
     double seconds{};
     std::shared_ptr<const Study> ranOn;
     std::shared_ptr<const RunResult> result;
+    std::shared_ptr<const ModelState> before{};  // of a fit: the model with its start values; null: not known
+    std::string name{}, note{};                  // given by the user
+    bool isPinned{};                             // kept whatever follows, before all that are not
+    bool isShown{};                              // the one whose result was before the user
+    std::string plots{};  // the member "plots" of study.json as it was arranged with this run; empty: none
 };
 
 struct HistoryLimits {
-    std::size_t runs{40};
+    std::size_t runs{40};                 // that are not pinned
     std::uint64_t traceBytes{16u << 20};  // of all traces together
+    std::size_t pinned{60};               // runs beside the others
 };
 
-/// Writes the last runs into a directory that does not exist yet. The latest keep their traces first; a run whose
-/// traces have no room any more is kept with its figures and values alone.
+/// Writes the pinned and the last of the other runs into a directory that does not exist yet. The one that is shown
+/// keeps its traces first, then pinned ones, then the latest; a run whose traces have no room any more is kept with its
+/// figures and values alone.
 Outcome<Done> writeHistory(const std::vector<PastRun>& runs, const std::filesystem::path& directory,
                            const HistoryLimits& limits = {});
 

@@ -462,6 +462,12 @@ std::string runJson(const PastRun& run, const KeepArray& keep) {
     json["ran_on"] = studyAsJson(*run.ranOn);
     json["completed"] = studyAsJson(run.result->completed);
     if (run.result->proposed) json["proposed"] = studyAsJson(*run.result->proposed);
+    if (!run.name.empty()) json["name"] = run.name;
+    if (!run.note.empty()) json["note"] = run.note;
+    if (run.isPinned) json["pinned"] = true;
+    if (run.isShown) json["shown"] = true;
+    if (!run.plots.empty()) json["plots"] = Json::parse(run.plots, nullptr, false);
+    if (run.before) json["before"] = Writer(keep).written(*run.before);
     json["finding"] = Writer(keep).written(run.result->finding);
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -476,6 +482,16 @@ PastRun parseRun(const std::string& text, const std::string& name, const Study& 
     run.command = json.at("command").get<std::string>();
     run.ended = json.at("ended").get<std::string>();
     run.seconds = json.at("seconds").get<double>();
+    run.name = json.value("name", std::string());
+    run.note = json.value("note", std::string());
+    run.isPinned = json.value("pinned", false);
+    run.isShown = json.value("shown", false);
+    if (const auto plots = json.find("plots"); plots != json.end() && plots->is_object()) run.plots = plots->dump();
+    if (const auto before = json.find("before"); before != json.end()) {
+        auto state = std::make_shared<ModelState>();
+        Reader(find).read(*before, *state);
+        run.before = std::move(state);
+    }
     run.ranOn = std::make_shared<const Study>(studyFrom(json.at("ran_on"), name, present));
     auto result = std::make_shared<RunResult>();
     result->completed = studyFrom(json.at("completed"), name, present);

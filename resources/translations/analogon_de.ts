@@ -518,14 +518,6 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Validierung</translation>
     </message>
     <message>
-        <source>First</source>
-        <translation>Erster</translation>
-    </message>
-    <message>
-        <source>Second</source>
-        <translation>Zweiter</translation>
-    </message>
-    <message>
         <source>Go back to this run</source>
         <translation>Zu diesem Lauf zurück</translation>
     </message>
@@ -590,10 +582,6 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Bisherige Läufe</translation>
     </message>
     <message>
-        <source>Comparison of two runs</source>
-        <translation>Vergleich zweier Läufe</translation>
-    </message>
-    <message>
         <source>How long it takes is not known yet.</source>
         <translation>Die Dauer ist noch nicht bekannt.</translation>
     </message>
@@ -610,16 +598,60 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Jeder Lauf von „Anpassen“ (F5) und „Effekt suchen“ (F6) bleibt hier erhalten.</translation>
     </message>
     <message>
-        <source>Choose two runs to compare them.</source>
-        <translation>Zwei Läufe wählen, um sie zu vergleichen.</translation>
-    </message>
-    <message>
         <source>error, fit</source>
         <translation>Fehler, Anpassung</translation>
     </message>
     <message>
         <source>error, validate</source>
         <translation>Fehler, Validierung</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Anheften</translation>
+    </message>
+    <message>
+        <source>A pinned run stays in the study, however many runs follow</source>
+        <translation>Ein angehefteter Lauf bleibt in der Studie, wie viele Läufe auch folgen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name of the run</source>
+        <translation>Name des Laufs</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Note on the run</source>
+        <translation>Notiz zum Lauf</translation>
+    </message>
+    <message>
+        <source>Choose several runs to compare them.</source>
+        <translation>Mehrere Läufe wählen, um sie zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>The traces are those of the first and of the last.</source>
+        <translation>Die Verläufe sind die des ersten und des letzten.</translation>
+    </message>
+    <message>
+        <source>As many runs are pinned as a study keeps: loosen another first.</source>
+        <translation>So viele Läufe sind angeheftet, wie eine Studie behält: zuerst einen anderen lösen.</translation>
+    </message>
+    <message>
+        <source>error, %1</source>
+        <translation>Fehler, %1</translation>
+    </message>
+    <message>
+        <source>Comparison of runs</source>
+        <translation>Vergleich von Läufen</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
     </message>
 </context>
 <context>
@@ -3783,6 +3815,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <source>Drag a block onto the diagram, or choose one and press Enter.</source>
         <translation>Einen Block auf das Diagramm ziehen oder auswählen und die Eingabetaste drücken.</translation>
     </message>
+    <message>
+        <source>No block is called “%1” or described so. A shorter word may find more.</source>
+        <translation>Kein Block heißt „%1“ oder ist so beschrieben. Ein kürzeres Wort findet vielleicht mehr.</translation>
+    </message>
 </context>
 <context>
     <name>MainWindow</name>
@@ -4109,6 +4145,18 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>Plots</source>
         <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Arrange for the model</source>
+        <translation>Für das Modell anordnen</translation>
+    </message>
+    <message>
+        <source>Arrange for the data</source>
+        <translation>Für die Daten anordnen</translation>
+    </message>
+    <message>
+        <source>Arrange for the result</source>
+        <translation>Für das Ergebnis anordnen</translation>
     </message>
 </context>
 <context>
@@ -5357,6 +5405,38 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>Caution</source>
         <translation>Zu beachten</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtern</translation>
+    </message>
+    <message>
+        <source>Filter what was tried</source>
+        <translation>Was erprobt wurde, filtern</translation>
+    </message>
+    <message>
+        <source>By round</source>
+        <translation>Nach Runden</translation>
+    </message>
+    <message>
+        <source>What was tried in each round stands together</source>
+        <translation>Was in derselben Runde erprobt wurde, steht zusammen</translation>
+    </message>
+    <message>
+        <source>Round %1</source>
+        <translation>Runde %1</translation>
+    </message>
+    <message>
+        <source>Try this effect</source>
+        <translation>Diesen Effekt erproben</translation>
+    </message>
+    <message>
+        <source>With them, refitted, what is left is noise.</source>
+        <translation>Damit und neu angepasst bleibt nur Rauschen.</translation>
+    </message>
+    <message>
+        <source>With them, refitted, some structure remains that no candidate explains.</source>
+        <translation>Damit und neu angepasst bleibt Struktur, die kein Kandidat erklärt.</translation>
     </message>
 </context>
 <context>
@@ -13039,6 +13119,40 @@ Bitte den Namen prüfen.</translation>
     <message>
         <source>Nothing to show yet.</source>
         <translation>Noch nichts zu zeigen.</translation>
+    </message>
+</context>
+<context>
+    <name>Chooser</name>
+    <message>
+        <source>Nothing is called “%1” or described so.</source>
+        <translation>Nichts heißt „%1“ oder ist so beschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>FindBar</name>
+    <message>
+        <source>Find in the text</source>
+        <translation>Im Text suchen</translation>
+    </message>
+    <message>
+        <source>Previous (Shift+F3)</source>
+        <translation>Vorheriges (Umschalt+F3)</translation>
+    </message>
+    <message>
+        <source>Next (F3)</source>
+        <translation>Nächstes (F3)</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
     </message>
 </context>
 </TS>

@@ -368,9 +368,9 @@ TEST_F(Panels, KeepsEveryRunForComparison) {
     window.findChild<QDockWidget*>("runs")->raise();
     window.resize(1440, 1400);
     QTest::qWait(50);
-    EXPECT_GT(table->height(), runs->history()->height()) << "the list of two runs takes no more than its rows";
-    const QRect lastRun = runs->history()->visualItemRect(runs->history()->topLevelItem(1));
-    EXPECT_LT(runs->history()->viewport()->height() - lastRun.bottom(), lastRun.height()) << "no empty row below them";
+    EXPECT_GT(table->height(), runs->history()->height()) << "there is more to read in it than in a list of two";
+    EXPECT_TRUE(runs->history()->viewport()->rect().contains(
+        runs->history()->visualItemRect(runs->history()->topLevelItem(1))));
     for (int c = 0; c < 3; ++c) {
         EXPECT_GT(table->columnWidth(c), 60) << "a long name of an effect pushes no column away";
         EXPECT_LE(table->columnViewportPosition(c) + table->columnWidth(c), table->viewport()->width());
@@ -745,7 +745,7 @@ TEST_F(Panels, GoesBackToARunOfATrimmedRecording) {
     document().restoreRun(document().history().front());
     const OutputPlot::Content& shown = panel<PlotPanel>()->plots().front()->content();
     EXPECT_LT(shown.measured.size(), 3000u);
-    EXPECT_TRUE(shown.before.empty()) << "what was simulated of the whole recording does not belong beside a part";
+    EXPECT_EQ(shown.before.size(), shown.measured.size()) << "what that fit began with, of the same part";
 }
 
 TEST_F(Panels, ShowsAParameterInAnotherUnitAndWhereItLiesInItsBounds) {

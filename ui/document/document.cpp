@@ -2,70 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <QDateTime>
 #include <algorithm>
 
 #include "core/fit/clock.hpp"
 #include "core/study/recorded.hpp"
 #include "core/syntax/printer.hpp"
+#include "ui/document/same_study.hpp"
 
 namespace analogon::ui {
-
-namespace {
-
-bool isSame(const StudyParameter& a, const StudyParameter& b) {
-    return a.fit == b.fit && a.value == b.value && a.min == b.min && a.max == b.max && a.scale == b.scale &&
-           a.prior == b.prior;
-}
-
-bool isSame(const ChannelMapping& a, const ChannelMapping& b) { return a == b; }
-
-bool isSame(const StudyStart& a, const StudyStart& b) {
-    if (a.index() != b.index()) return false;
-    if (const double* number = std::get_if<double>(&a)) return *number == std::get<double>(b);
-    if (const ColumnStart* column = std::get_if<ColumnStart>(&a))
-        return column->column == std::get<ColumnStart>(b).column && column->group == std::get<ColumnStart>(b).group;
-    return true;
-}
-
-template <class Value>
-bool isSame(const std::map<std::string, Value>& a, const std::map<std::string, Value>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](const auto& x, const auto& y) { return x.first == y.first && isSame(x.second, y.second); });
-}
-
-bool isSame(const StudyExperiment& a, const StudyExperiment& b) {
-    return a.name == b.name && a.role == b.role && a.file == b.file && a.timeColumn == b.timeColumn &&
-           a.range == b.range && isSame(a.inputs, b.inputs) && isSame(a.outputs, b.outputs) &&
-           isSame(a.initial, b.initial);
-}
-
-/// Of studies, and of settings of them.
-template <class A, class B>
-bool isSameModel(const A& a, const B& b) {
-    return a.models == b.models && a.className == b.className && isSame(a.parameters, b.parameters) &&
-           std::equal(a.experiments.begin(), a.experiments.end(), b.experiments.begin(), b.experiments.end(),
-                      [](const auto& x, const auto& y) { return isSame(x, y); });
-}
-
-/// The time of a run of today, else its day as well.
-QString timeText(const QDateTime& ended) {
-    return ended.toString(ended.date() == QDate::currentDate() ? "HH:mm:ss" : "yyyy-MM-dd HH:mm");
-}
-
-}  // namespace
-
-const char* commandName(RunKind kind) {
-    switch (kind) {
-        case RunKind::Simulate:
-            return "simulate";
-        case RunKind::Fit:
-            return "fit";
-        case RunKind::Discover:
-            break;
-    }
-    return "discover";
-}
 
 struct Document::Opened {
     Outcome<OpenedStudy> study;
@@ -177,15 +121,10 @@ void Document::adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory>
     live_.reset();
     preview_.reset();
     result_.reset();
-    history_.clear();
-    hasNewRuns_ = false;
-    for (const PastRun& run : history)
-        history_.push_back({++runs_, run.command == commandName(RunKind::Fit) ? RunKind::Fit : RunKind::Discover,
-                            timeText(QDateTime::fromString(QString::fromStdString(run.ended), Qt::ISODate)), run.ended,
-                            run.seconds, run.ranOn, run.result});
     compared_.reset();
     resultStudy_.reset();
     beforeFit_.reset();
+    takeHistory(history);
     facts_ = {};
     modelError_.reset();
     setMessages(Message::Origin::Check, {});
@@ -212,14 +151,14 @@ void Document::save(const QString& path) {
     saver_.start<Outcome<Done>>(
         tr("Saving"),
         [study = *study_, history = pastRuns(), file](const Progress&) { return saveStudy(study, file, history); },
-        [this, path, index, runs = runs_](Outcome<Done> done) {
+        [this, path, index, runs = runs_ + saidOfRuns_](Outcome<Done> done) {
             setRunMessages(done.diagnostics());
             if (done) {
                 path_ = path;
                 recoveredFrom_.clear();
                 study_->name = std::filesystem::path(path.toStdString()).stem().string();
                 if (undo_.index() == index) undo_.setClean();
-                if (runs_ == runs) hasNewRuns_ = false;
+                if (runs_ + saidOfRuns_ == runs) hasNewRuns_ = false;
                 Q_EMIT modifiedChanged();
             }
             Q_EMIT saved(done.hasValue());
@@ -234,13 +173,6 @@ bool Document::isSameStudy(const StudySettings& settings) const {
     };
     return isSameModel(*study_, settings) && study_->modelFile == settings.modelFile &&
            study_->tables == settings.tables && readings(study_->experiments) == readings(settings.experiments);
-}
-
-std::vector<PastRun> Document::pastRuns() const {
-    std::vector<PastRun> runs;
-    for (const RunRecord& run : history_)
-        runs.push_back({commandName(run.kind), run.ended, run.seconds, run.ranOn, run.result});
-    return runs;
 }
 
 QString Document::title() const { return isOpen() ? QString::fromStdString(study_->name) : QString(); }
@@ -401,22 +333,6 @@ void Document::setStudyParameter(const std::string& name, const StudyParameter& 
     applySettings(std::move(changed), what);
 }
 
-void Document::adoptCompleted(const QString& what) {
-    if (result_ && !isResultAdopted()) adopt(result_->completed, what);
-}
-
-void Document::adoptProposed() {
-    if (result_ && result_->proposed && !isResultStale()) adopt(*result_->proposed, tr("Add what is proposed"));
-}
-
-void Document::adopt(const Study& completed, const QString& what) {
-    StudySettings settings = settingsOf(completed);
-    settings.tables = study_->tables;
-    settings.plots = study_->extraJson;  // what one looks at stays
-    applySettings(std::move(settings), what);
-    Q_EMIT resultChanged();
-}
-
 std::optional<double> Document::parameterValue(const std::string& name) const {
     if (!isOpen()) return std::nullopt;
     const auto own = study_->parameters.find(name);
@@ -427,98 +343,9 @@ std::optional<double> Document::parameterValue(const std::string& name) const {
     return std::nullopt;
 }
 
-void Document::setSimulated(ModelState state) {
-    simulated_ = std::make_shared<const ModelState>(std::move(state));
-    measured_.reset();
-    ++tracesVersion_;
-    Q_EMIT resultChanged();
-}
-
-void Document::setMeasured(std::vector<ExperimentState> measured) {
-    simulated_.reset();
-    ModelState state;
-    state.experiments = std::move(measured);
-    measured_ = std::make_shared<const ModelState>(std::move(state));
-    ++tracesVersion_;
-    Q_EMIT resultChanged();
-}
-
-void Document::setLiveTraces(std::optional<SimulatedTraces> traces) {
-    if (!traces && !live_) return;
-    live_ = std::move(traces);
-    Q_EMIT liveTracesChanged();
-}
-
-void Document::setPreview(std::optional<Preview> preview) {
-    if (!preview && !preview_) return;
-    preview_ = std::move(preview);
-    Q_EMIT liveTracesChanged();
-}
-
-void Document::compareRuns(std::optional<RunPair> pair) {
-    const auto numbers = [](const std::optional<RunPair>& of) {
-        return of ? std::pair(of->first.number, of->second.number) : std::pair(0ul, 0ul);
-    };
-    if (numbers(pair) == numbers(compared_)) return;
-    compared_ = std::move(pair);
-    ++tracesVersion_;
-    Q_EMIT comparisonChanged();
-}
-
 bool Document::canRun() const {
     return isOpen() && std::any_of(study_->experiments.begin(), study_->experiments.end(),
                                    [](const StudyExperiment& e) { return !e.outputs.empty(); });
-}
-
-void Document::restoreRun(const RunRecord& record) {
-    StudySettings settings = settingsOf(record.result->completed);
-    settings.tables.insert(study_->tables.begin(), study_->tables.end());
-    settings.plots = study_->extraJson;
-    // A recording that was taken out of the study before it was saved is in no file any more.
-    const std::size_t gone =
-        std::erase_if(settings.experiments, [&](const auto& e) { return !fileTable(settings.tables, e); });
-    applySettings(std::move(settings), tr("Go back to the run of %1").arg(record.when));
-    if (gone > 0)
-        return setRunMessages({warning(phrase("{} recordings of that run are not part of the study any more", gone))});
-    if (!hasTraces(*record.result)) return;  // the model as it was then is simulated anew
-    result_ = record.result;
-    resultStudy_ = *record.ranOn;
-    resultKind_ = record.kind;
-    ++tracesVersion_;
-    Q_EMIT resultChanged();
-}
-
-void Document::setResult(RunKind kind, RunResult result, const Study& ranOn, double seconds) {
-    beforeFit_ = simulated_;
-    live_.reset();
-    result_ = std::make_shared<const RunResult>(std::move(result));
-    if (history_.size() >= HistoryLimits().runs) history_.erase(history_.begin());
-    const QDateTime now = QDateTime::currentDateTime();
-    history_.push_back({++runs_, kind, timeText(now), now.toString(Qt::ISODate).toStdString(), seconds,
-                        std::make_shared<const Study>(ranOn), result_});
-    hasNewRuns_ = true;
-    resultStudy_ = ranOn;
-    resultKind_ = kind;
-    ++tracesVersion_;
-    Q_EMIT resultChanged();
-    Q_EMIT modifiedChanged();
-}
-
-bool Document::isResultStale() const {
-    return !result_ || !(isSameModel(*study_, *resultStudy_) || isSameModel(*study_, result_->completed));
-}
-
-bool Document::isResultAdopted() const { return result_ && isSameModel(*study_, result_->completed); }
-
-std::shared_ptr<const ModelState> Document::before() const {
-    if (!result_ || isResultStale()) return simulated_;
-    return resultKind_ == RunKind::Discover ? std::shared_ptr<const ModelState>(result_, &result_->finding.baseline)
-                                            : beforeFit_;
-}
-
-std::shared_ptr<const ModelState> Document::after() const {
-    if (!result_ || isResultStale()) return nullptr;
-    return {result_, &result_->finding.final};
 }
 
 void Document::setRunMessages(Diagnostics messages) { setMessages(Message::Origin::Run, messages); }

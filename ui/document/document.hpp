@@ -39,6 +39,12 @@ struct RunRecord {
     double seconds{};
     std::shared_ptr<const Study> ranOn;
     std::shared_ptr<const RunResult> result;
+    std::shared_ptr<const ModelState> before{};  // of a fit: traces with its start values; null: not known
+    QString name{}, note{};                      // given by the user
+    bool isPinned{};                             // stays, however many runs follow
+    std::string plots{};                         // how the plots of signals were arranged with it (PastRun::plots)
+
+    QString label() const { return name.isEmpty() ? when : name; }
 };
 
 /// What the screen shows: one study, the picture of its model, and what was found. The only owner of state.
@@ -122,7 +128,7 @@ public:
     std::shared_ptr<const ModelState> measured() const { return measured_; }
     void setResult(RunKind kind, RunResult result, const Study& ranOn, double seconds = 0);
     /// The study as a run left it, as an edit.
-    void restoreRun(const RunRecord& record);
+    void restoreRun(const RunRecord& chosen);
     const Finding* finding() const { return result_ ? &result_->finding : nullptr; }
     const RunResult* result() const { return result_.get(); }
     std::shared_ptr<const RunResult> sharedResult() const { return result_; }  // outlives what happens to the study
@@ -144,7 +150,7 @@ public:
     void setPreview(std::optional<Preview> preview);
     const Preview* preview() const { return preview_ ? &*preview_ : nullptr; }
     /// Two runs of the history whose traces are held against each other; null: none. They stay as they were, whatever
-    /// becomes of the study.
+    /// becomes of the study. Where more are compared, those of the first and of the last.
     struct RunPair {
         RunRecord first, second;
     };
@@ -155,6 +161,13 @@ public:
 
     /// Every run of this study, oldest first; later edits do not touch them. Kept in the project file.
     const std::vector<RunRecord>& history() const { return history_; }
+    const RunRecord* run(unsigned long number) const;  // null: it is not kept any more
+    /// The run whose result is shown; 0: none.
+    unsigned long shownRun() const { return shownRun_; }
+    /// What the user calls a run and says of it.
+    void describeRun(unsigned long number, const QString& name, const QString& note);
+    /// False: as many are pinned as a study keeps.
+    bool pinRun(unsigned long number, bool isPinned);
     std::vector<PastRun> pastRuns() const;
 
     void setRunMessages(Diagnostics messages);
@@ -174,6 +187,7 @@ Q_SIGNALS:
     void saved(bool isDone);
     void modifiedChanged();
     void resultChanged();
+    void historyChanged();     // what is said of runs
     void liveTracesChanged();  // or the preview
     void comparisonChanged();
     void messagesChanged();
@@ -187,6 +201,10 @@ private:
     void adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory> files, const QString& path,
                     const std::vector<PastRun>& history = {}, std::optional<Outcome<Library>> library = {});
     void adopt(const Study& completed, const QString& what);
+    void takeHistory(const std::vector<PastRun>& history);
+    void showRun(const RunRecord& record);
+    void keepPlots();
+    void keepNewRun();
     void settingsChanged() { ++revision_; }
     /// But for what is shown of it.
     bool isSameStudy(const StudySettings& settings) const;
@@ -222,7 +240,7 @@ private:
     QUndoStack undo_;
     QString path_;
     QString recoveredFrom_;  // the copy that was opened, until its work is saved
-    unsigned long runs_{};
+    unsigned long runs_{}, shownRun_{}, saidOfRuns_{};
     bool hasNewRuns_{};                                // that are in no file yet
     std::shared_ptr<const TemporaryDirectory> files_;  // of an unpacked archive, as long as the study is open
     QTimer analysisDelay_;

@@ -5,18 +5,23 @@
 
 class QComboBox;
 class QLabel;
+class QLineEdit;
 class QPushButton;
 class QSpinBox;
+class QToolButton;
 class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace analogon::ui {
 
 class Document;
 class ErrorCurve;
 class RunController;
+struct RunRecord;
 
-/// How the next run works, how the one under way gets on, and all runs so far: two of them can be compared side by
-/// side, and one can be gone back to.
+/// How the next run works, how the one under way gets on, and all runs so far: they have names and notes, several can
+/// be compared side by side, one can be gone back to, and pinned ones stay. The borders between its parts are the
+/// user's.
 class FitPanel : public QWidget {
     Q_OBJECT
 
@@ -29,12 +34,21 @@ public:
     QTreeWidget* history() const { return history_; }
     QTreeWidget* comparison() const { return comparison_; }
     QPushButton* restoreButton() const { return restore_; }
+    QToolButton* pinButton() const { return pin_; }
+    QLineEdit* nameField() const { return name_; }
+    QLineEdit* noteField() const { return note_; }
 
 private:
+    void createParts();
+    void connectController();
     void applyOptions();
     void refresh();
+    void showRow(QTreeWidgetItem* item, const RunRecord& run) const;
+    void showDetails();
     void compare();
-    int heightOfRuns() const;
+    void describe();
+    void pin(bool isPinned);
+    const RunRecord* chosenRun() const;
     void restore();
     std::vector<std::size_t> chosen() const;
 
@@ -46,6 +60,9 @@ private:
     QLabel *left_, *hint_;
     QTreeWidget *history_, *comparison_;
     QPushButton* restore_;
+    QToolButton* pin_;
+    QLineEdit *name_, *note_;
+    QWidget *options_, *details_;
     QElapsedTimer clock_;
 };
 

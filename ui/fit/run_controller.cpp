@@ -119,6 +119,8 @@ RunController::RunController(Document& document, QObject* parent) : QObject(pare
     connect(&document, &Document::opened, this, [this] {
         run_.drop();
         leaveEffect();
+        isOpened_ = true;
+        if (!document_.isResultStale()) document_.setRunMessages(messagesOf(*document_.result()));
     });
 }
 
@@ -276,7 +278,8 @@ void RunController::preview() {
     if (!document_.isOpen() || (run_.isBusy() && document_.before())) return;
     if (!document_.definition() && document_.before()) return;  // a text being typed: the last traces stay
     if (!document_.canRun()) return preview_.drop();
-    if (document_.result() && !document_.isResultStale()) {  // its traces and remarks are what is shown
+    const bool isOpened = std::exchange(isOpened_, false);  // what the study itself says was not told yet
+    if (document_.after() && !isOpened) {                   // its traces and remarks are what is shown
         document_.setCheckMessages({});
         return;
     }

@@ -59,7 +59,7 @@ private:
     JobRunner preview_;  // simulates the model as it stands whenever it has changed
     QTimer previewDelay_;
     QTimer patience_;  // that a simulation of the model as it stands may take unseen
-    bool isPreviewShown_{};
+    bool isPreviewShown_{}, isOpened_{};
     QElapsedTimer clock_;       // of the run
     unsigned long revision_{};  // of the study it runs on
     JobRunner live_;            // simulates the best so far while a fit runs

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/library/search_words.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
@@ -109,12 +110,11 @@ void Chooser::filter() {
     const int textWidth = widthIn(parentWidget()->size()) - 2 * style::margin - list_->iconSize().width() -
                           style()->pixelMetric(QStyle::PM_ScrollBarExtent) - 6 * style::unit;
     const QStringList words = field_->text().split(' ', Qt::SkipEmptyParts);
-    // Names that begin with what was typed first, then names that hold it, then descriptions.
+    // Names that begin with what was typed first, then names that hold it, then descriptions and words that mean it.
     for (int rank = 0; rank < 3; ++rank)
         for (const Choice& choice : choices_) {
-            const QString all = choice.text + " " + choice.detail;
-            const bool fits = std::all_of(words.begin(), words.end(),
-                                          [&](const QString& w) { return all.contains(w, Qt::CaseInsensitive); });
+            const bool fits =
+                isFoundIn(QStringList{choice.text, choice.detail, choice.further}.join(u' '), field_->text());
             const QString first = words.isEmpty() ? QString() : words.front();
             const int own = choice.text.startsWith(first, Qt::CaseInsensitive) ? 0
                             : choice.text.contains(first, Qt::CaseInsensitive) ? 1
@@ -129,6 +129,9 @@ void Chooser::filter() {
             item->setSizeHint({10, std::max(30, needed.height() + 2 * style::unit)});
         }
     list_->setCurrentRow(0);
+    if (list_->count() > 0) return;
+    auto* nothing = new QListWidgetItem(tr("Nothing is called “%1” or described so.").arg(field_->text()), list_);
+    nothing->setFlags(Qt::NoItemFlags);
 }
 
 void Chooser::take() {

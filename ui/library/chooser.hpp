@@ -15,6 +15,7 @@ namespace analogon::ui {
 struct Choice {
     QString text, detail, key;
     QIcon icon;
+    QString further{};  // by which it is found as well
 };
 
 /// A small list with a search field over the diagram: for naming a block to place, a connector to connect. Type to

@@ -150,6 +150,10 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
             return QString::fromStdString(node.className);
         case IsPackageRole:
             return node.isPackage;
+        case SearchRole: {
+            const QString english = QString::fromStdString(node.description), own = libraryText(node.description);
+            return QStringList{QString::fromStdString(node.name), english, own}.join(u' ');
+        }
         default:
             return {};
     }

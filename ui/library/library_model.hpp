@@ -14,7 +14,11 @@ class LibraryModel : public QAbstractItemModel {
     Q_OBJECT
 
 public:
-    enum Role { ClassNameRole = Qt::UserRole, IsPackageRole };
+    enum Role {
+        ClassNameRole = Qt::UserRole,
+        IsPackageRole,
+        SearchRole  // all by which it is found: its name and its description, in English and in the window's language
+    };
 
     explicit LibraryModel(QObject* parent = nullptr);
     ~LibraryModel() override;

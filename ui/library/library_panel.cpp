@@ -1,6 +1,7 @@
 #include "ui/library/library_panel.hpp"
 
 #include <QApplication>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSortFilterProxyModel>
 #include <QSplitter>
@@ -11,23 +12,44 @@
 #include "core/diagram/diagram.hpp"
 #include "ui/document/document.hpp"
 #include "ui/library/library_model.hpp"
+#include "ui/library/search_words.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
 
 namespace analogon::ui {
 
+/// Classes that what was typed means, with the packages they are in.
+class LibraryPanel::Filter : public QSortFilterProxyModel {
+public:
+    explicit Filter(QObject* parent) : QSortFilterProxyModel(parent) {
+        setRecursiveFilteringEnabled(true);
+        setAutoAcceptChildRows(true);
+    }
+    void look(const QString& typed) {
+        typed_ = typed.simplified();
+        invalidateFilter();
+    }
+
+protected:
+    bool filterAcceptsRow(int row, const QModelIndex& parent) const override {
+        const QModelIndex index = sourceModel()->index(row, 0, parent);
+        return typed_.isEmpty() || isFoundIn(index.data(LibraryModel::SearchRole).toString(), typed_);
+    }
+
+private:
+    QString typed_;
+};
+
 LibraryPanel::LibraryPanel(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       model_(new LibraryModel(this)),
-      filtered_(new QSortFilterProxyModel(this)),
+      filtered_(new Filter(this)),
       search_(new QLineEdit(this)),
+      nothing_(new QLabel(this)),
       tree_(new QTreeView(this)),
       text_(new QTextBrowser(this)) {
     filtered_->setSourceModel(model_);
-    filtered_->setRecursiveFilteringEnabled(true);
-    filtered_->setAutoAcceptChildRows(true);
-    filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
     search_->setPlaceholderText(tr("Search blocks"));
     search_->setClearButtonEnabled(true);
     tree_->setModel(filtered_);
@@ -55,15 +77,21 @@ LibraryPanel::LibraryPanel(Document& document, QWidget* parent)
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(style::margin, 2 * style::unit, style::margin, 2 * style::unit);
     bar->addWidget(search_);
+    style::makeCaption(nothing_);
+    nothing_->setWordWrap(true);
+    nothing_->setContentsMargins(style::margin, 0, style::margin, 2 * style::unit);
+    nothing_->hide();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addLayout(bar);
+    layout->addWidget(nothing_);
     layout->addWidget(splitter, 1);
 
     connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
-        filtered_->setFilterFixedString(text);
+        filtered_->look(text);
         if (!text.isEmpty()) tree_->expandAll();
+        sayNothing();
     });
     connect(search_, &QLineEdit::returnPressed, this, [this] {
         // The first block that is left.
@@ -84,6 +112,14 @@ LibraryPanel::LibraryPanel(Document& document, QWidget* parent)
 void LibraryPanel::refresh() {
     if (document_.library().classes().empty()) return;  // a text with a fault: the last one still serves
     model_->setLibrary(document_.library(), document_.study().className);
+    sayNothing();
+}
+
+/// An empty list would leave open whether it has been searched.
+void LibraryPanel::sayNothing() {
+    const QString typed = search_->text().simplified();
+    nothing_->setVisible(!typed.isEmpty() && filtered_->rowCount() == 0);
+    nothing_->setText(tr("No block is called “%1” or described so. A shorter word may find more.").arg(typed));
 }
 
 QString LibraryPanel::currentClass() const {

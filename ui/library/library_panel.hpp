@@ -3,8 +3,8 @@
 #include <QPoint>
 #include <QWidget>
 
+class QLabel;
 class QLineEdit;
-class QSortFilterProxyModel;
 class QTextBrowser;
 class QTreeView;
 
@@ -23,6 +23,7 @@ public:
 
     QTreeView* tree() const { return tree_; }
     QLineEdit* search() const { return search_; }
+    QLabel* nothingFound() const { return nothing_; }  // shown where a search finds nothing
     LibraryModel* model() const { return model_; }
     /// Opens the packages above a class; its place in the tree's viewport.
     QRect showClass(const QString& className);
@@ -39,14 +40,17 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    class Filter;
     void refresh();
+    void sayNothing();
     void showDocumentation();
     QString currentClass() const;
 
     Document& document_;
     LibraryModel* model_;
-    QSortFilterProxyModel* filtered_;
+    Filter* filtered_;
     QLineEdit* search_;
+    QLabel* nothing_;
     QTreeView* tree_;
     QTextBrowser* text_;
     QPoint pressedAt_;

@@ -89,7 +89,7 @@ Series joined(const Series& a, const Series& b) {
 }
 
 QString labelOf(const QString& letter, const RunRecord& run, const OutputState& output) {
-    return QStringLiteral("%1 %2 %3").arg(letter, run.when, style::percentText(output.figures.errorPercent));
+    return QStringLiteral("%1 %2 %3").arg(letter, run.label(), style::percentText(output.figures.errorPercent));
 }
 
 }  // namespace

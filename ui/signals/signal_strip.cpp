@@ -40,6 +40,7 @@ SignalStrip::SignalStrip(QWidget* parent)
     : QWidget(parent), chart_(new SignalChart), figure_(new FigureChart), views_(new QComboBox), legend_(new QLabel) {
     setAcceptDrops(true);
     legend_->setWordWrap(true);
+    legend_->setMinimumWidth(24 * style::unit);  // a long word is cut before the buttons beside it are
     legend_->setTextFormat(Qt::RichText);
     legend_->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
     const auto button = [this](const QString& text, const QString& tip) {
@@ -59,6 +60,8 @@ SignalStrip::SignalStrip(QWidget* parent)
     views_->setToolTip(
         tr("Over the time, the others against the first signal, power spectral density (Welch), coherence "
            "with the first signal, or how often each value comes; of the part that is visible"));
+    views_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    views_->setMinimumContentsLength(5);
     views_->setFocusPolicy(Qt::StrongFocus);
     views_->installEventFilter(this);
     auto* column = new QVBoxLayout(this);

@@ -1,12 +1,16 @@
 #include "ui/text/text_view.hpp"
 
+#include <QFileInfo>
 #include <QFontDatabase>
 #include <QPainter>
 #include <QTextBlock>
+#include <QToolTip>
 
 #include "ui/document/document.hpp"
 #include "ui/style/style.hpp"
+#include "ui/text/find_bar.hpp"
 #include "ui/text/highlighter.hpp"
+#include "ui/words/words.hpp"
 
 namespace analogon::ui {
 
@@ -22,7 +26,7 @@ private:
 };
 
 TextView::TextView(Document& document, QWidget* parent)
-    : QPlainTextEdit(parent), document_(document), lineNumbers_(new LineNumbers(*this)) {
+    : QPlainTextEdit(parent), document_(document), lineNumbers_(new LineNumbers(*this)), find_(new FindBar(*this)) {
     setUndoRedoEnabled(false);  // the document's list holds these steps too
     setTabChangesFocus(true);
     setFrameShape(NoFrame);
@@ -42,6 +46,11 @@ TextView::TextView(Document& document, QWidget* parent)
         // colouring it anew changes the text, too, and what a hidden view holds is out of date
         if (!isRefreshing_ && !isStale_) typing_.start();
     });
+    connect(this, &QPlainTextEdit::textChanged, find_, [this] {
+        if (find_->isVisible()) find_->search();
+    });
+    connect(find_, &FindBar::placesChanged, this, &TextView::showMarks);
+    connect(&document, &Document::messagesChanged, this, &TextView::underline);
     refresh();
     recolour();
     updateMargins();
@@ -65,7 +74,64 @@ void TextView::refresh() {
     cursor.setPosition(static_cast<int>(now.size() - back), QTextCursor::KeepAnchor);
     cursor.insertText(wanted.mid(front, wanted.size() - back - front));
     isRefreshing_ = false;
-    setExtraSelections({});
+    shown_.clear();
+    underline();
+}
+
+/// The characters of a place; the line where it names no column.
+QTextCursor TextView::cursorAt(int line, int column, int length) const {
+    const QTextBlock block = document()->findBlockByNumber(line - 1);
+    if (!block.isValid()) return {};
+    const auto characters = [&](int bytes) {
+        return static_cast<int>(QString::fromUtf8(block.text().toUtf8().left(std::max(0, bytes))).size());
+    };
+    QTextCursor cursor(block);
+    if (column > 0) {
+        const int begin = characters(column - 1);
+        cursor.setPosition(block.position() + begin);
+        const int end = std::min(block.length() - 1, std::max(begin + 1, characters(column - 1 + length)));
+        cursor.setPosition(block.position() + end, QTextCursor::KeepAnchor);
+    } else {
+        cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
+    }
+    return cursor;
+}
+
+/// What messages speak of in this text, with their words as the tip.
+void TextView::underline() {
+    faults_.clear();
+    if (isStale_ || !document_.isOpen()) return;
+    for (const Message& message : document_.messages()) {
+        const Diagnostic& d = message.diagnostic;
+        const QString file = QFileInfo(QString::fromStdString(d.place.file)).fileName();
+        if (d.place.line <= 0 || file != QString::fromStdString(document_.study().modelFile)) continue;
+        QTextEdit::ExtraSelection fault;
+        fault.cursor = cursorAt(d.place.line, d.place.column, d.place.length);
+        fault.format.setUnderlineStyle(QTextCharFormat::WaveUnderline);
+        fault.format.setUnderlineColor(d.severity == Severity::Error ? style::fault(palette())
+                                                                     : style::caution(palette()));
+        fault.format.setToolTip(inWords(d.message));
+        if (!fault.cursor.isNull()) faults_.push_back(fault);
+    }
+    showMarks();
+}
+
+void TextView::showMarks() {
+    QList<QTextEdit::ExtraSelection> marks = shown_;
+    for (const QTextCursor& at : find_->places()) {
+        QTextEdit::ExtraSelection mark;
+        mark.cursor = at;
+        mark.format.setBackground(style::mix(palette().color(QPalette::Base), style::accent(palette()), 0.3));
+        marks.push_back(mark);
+    }
+    setExtraSelections(marks + faults_);
+}
+
+void TextView::keyPressEvent(QKeyEvent* event) {
+    if (event->matches(QKeySequence::Find)) return find_->open();
+    if (event->key() == Qt::Key_F3) return find_->next(event->modifiers() & Qt::ShiftModifier);
+    if (event->key() == Qt::Key_Escape && find_->isVisible()) return find_->hide();
+    QPlainTextEdit::keyPressEvent(event);
 }
 
 void TextView::showEvent(QShowEvent* event) {
@@ -92,36 +158,44 @@ void TextView::commit() {
 bool TextView::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         auto* key = static_cast<QKeyEvent*>(event);
+        if (key->matches(QKeySequence::Find) || key->key() == Qt::Key_F3 ||
+            (key->key() == Qt::Key_Escape && find_->isVisible())) {
+            event->accept();
+            return true;
+        }
         if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
             if (typing_.isActive()) commit();
             event->ignore();  // the window's own undo
             return true;
         }
     }
+    if (event->type() == QEvent::ToolTip) {
+        auto* help = static_cast<QHelpEvent*>(event);
+        const int at = cursorForPosition(viewport()->mapFrom(this, help->pos())).position();
+        QStringList words;
+        for (const QTextEdit::ExtraSelection& fault : faults_)
+            if (at >= fault.cursor.selectionStart() && at <= fault.cursor.selectionEnd())
+                words << fault.format.toolTip();
+        QToolTip::showText(help->globalPos(), words.join('\n'), viewport());
+        return true;
+    }
     return QPlainTextEdit::event(event);
 }
 
 void TextView::showPlace(int line, int column, int length) {
-    const QTextBlock block = this->document()->findBlockByNumber(line - 1);
-    if (!block.isValid()) return;
-    const auto characters = [&](int bytes) {
-        return static_cast<int>(QString::fromUtf8(block.text().toUtf8().left(std::max(0, bytes))).size());
-    };
-    QTextCursor cursor(block);
     QTextEdit::ExtraSelection mark;
+    mark.cursor = cursorAt(line, column, length);
+    if (mark.cursor.isNull()) return;
     mark.format.setBackground(style::mix(palette().color(QPalette::Base), style::caution(palette()), 0.3));
-    if (column > 0) {
-        const int begin = characters(column - 1);
-        cursor.setPosition(block.position() + begin);
-        setTextCursor(cursor);
-        cursor.setPosition(block.position() + std::max(begin + 1, characters(column - 1 + length)),
-                           QTextCursor::KeepAnchor);
-    } else {
-        setTextCursor(cursor);
+    if (column <= 0) {
+        mark.cursor.setPosition(mark.cursor.selectionStart());
         mark.format.setProperty(QTextFormat::FullWidthSelection, true);
     }
-    mark.cursor = cursor;
-    setExtraSelections({mark});
+    QTextCursor begin = mark.cursor;
+    begin.setPosition(mark.cursor.selectionStart());
+    setTextCursor(begin);
+    shown_ = {mark};
+    showMarks();
     centerCursor();
 }
 
@@ -136,11 +210,15 @@ void TextView::resizeEvent(QResizeEvent* event) {
     QPlainTextEdit::resizeEvent(event);
     const QRect inside = contentsRect();
     lineNumbers_->setGeometry(inside.left(), inside.top(), lineNumberWidth(), inside.height());
+    find_->place();
 }
 
 void TextView::changeEvent(QEvent* event) {
     QPlainTextEdit::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) recolour();
+    if (event->type() == QEvent::PaletteChange) {
+        recolour();
+        underline();
+    }
 }
 
 void TextView::paintLineNumbers(QPaintEvent* event) {

@@ -6,9 +6,11 @@
 namespace analogon::ui {
 
 class Document;
+class FindBar;
+struct Message;
 
 /// The model's text, with line numbers. What is typed here is seen in the diagram a moment later, and the other way
-/// round; both are steps of one undo list.
+/// round; both are steps of one undo list. Ctrl+F finds in it; what messages speak of is underlined.
 class TextView : public QPlainTextEdit {
     Q_OBJECT
 
@@ -17,6 +19,7 @@ public:
 
     /// Goes to a place and marks it. Lines and columns start at 1; a column counts bytes of UTF-8.
     void showPlace(int line, int column, int length);
+    FindBar* findBar() const { return find_; }
 
 protected:
     bool event(QEvent* event) override;
@@ -24,18 +27,24 @@ protected:
     void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     class LineNumbers;
     void refresh();
     void recolour();
     void commit();
+    QTextCursor cursorAt(int line, int column, int length) const;
+    void underline();
+    void showMarks();
     void paintLineNumbers(QPaintEvent* event);
     int lineNumberWidth() const;
     void updateMargins();
 
     Document& document_;
     LineNumbers* lineNumbers_;
+    FindBar* find_;
+    QList<QTextEdit::ExtraSelection> faults_, shown_;  // that messages speak of; the place that was asked for
     QTimer typing_;
     bool isRefreshing_{}, isStale_{};
 };

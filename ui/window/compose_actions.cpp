@@ -220,7 +220,8 @@ void ComposeActions::chooseBlock(const QString& typed) {
             continue;
         const QModelIndex index = library_.model()->find(qString(cls->qualifiedName));
         choices.push_back({qString(cls->definition->name), libraryText(cls->definition->description),
-                           qString(cls->qualifiedName), index.data(Qt::DecorationRole).value<QIcon>()});
+                           qString(cls->qualifiedName), index.data(Qt::DecorationRole).value<QIcon>(),
+                           qString(cls->definition->description)});
     }
     chooser_->choose(tr("Insert a block: type its name"), std::move(choices), typed,
                      [this](const QString& name) { placeAnywhere(name); });

@@ -1,5 +1,6 @@
 #include "core/study/run_history.hpp"
 
+#include <array>
 #include <random>
 
 #include "core/study/run_json.hpp"
@@ -137,6 +138,52 @@ TEST_F(RunHistory, ReadsBackToTheLastDigit) {
     EXPECT_EQ(runs[1].ranOn->tables.at("train.csv")->columns[1].values,
               fit.ranOn->tables.at("train.csv")->columns[1].values)
         << "measurements are those of the study";
+}
+
+TEST_F(RunHistory, KeepsWhatTheUserSaidOfARun) {
+    putHeater();
+    PastRun fit = fitted();
+    auto before = std::make_shared<ModelState>(fit.result->finding.final);
+    before->experiments[0].outputs[0].simulated.array() += 0.5;
+    fit.before = before;
+    fit.name = "cold start \"B\"";
+    fit.note = "Lüfter aus,\nsecond sample";
+    fit.isPinned = fit.isShown = true;
+    fit.plots = R"({"axes":[],"formulas":["u*i"]})";
+    ASSERT_TRUE(writeHistory({fit, fitted()}, directory_ / "history"));
+    const std::vector<PastRun> runs = readBack();
+    ASSERT_EQ(runs.size(), 2u);
+    EXPECT_EQ(runs[0].name, fit.name);
+    EXPECT_EQ(runs[0].note, fit.note);
+    EXPECT_EQ(runs[0].plots, fit.plots);
+    EXPECT_TRUE(runs[0].isPinned && runs[0].isShown);
+    ASSERT_TRUE(runs[0].before);
+    EXPECT_EQ(runs[0].before->experiments[0].outputs[0].simulated, before->experiments[0].outputs[0].simulated);
+    EXPECT_TRUE(runs[1].name.empty() && runs[1].note.empty() && runs[1].plots.empty());
+    EXPECT_FALSE(runs[1].isPinned || runs[1].isShown || runs[1].before);
+}
+
+TEST_F(RunHistory, KeepsPinnedRunsAndTheTracesOfTheOneThatIsShown) {
+    putHeater();
+    const PastRun fit = fitted();
+    std::vector<PastRun> runs;
+    for (int i = 0; i < 6; ++i) {
+        auto result = std::make_shared<RunResult>(*fit.result);
+        result->finding.final.experiments[0].time.assign(1000, i);
+        result->finding.final.experiments[0].outputs[0].figures.errorPercent = i;
+        runs.push_back({"fit", "2026-03-01T14:02:11", 1, fit.ranOn, std::move(result)});
+    }
+    runs[0].isPinned = true;
+    runs[3].isShown = true;
+    ASSERT_TRUE(writeHistory(runs, directory_ / "history", {3, 12000}));
+    const std::vector<PastRun> kept = readBack();
+    ASSERT_EQ(kept.size(), 4u);
+    const std::array<int, 4> expected{0, 3, 4, 5};
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(kept[i].result->finding.final.experiments[0].outputs[0].figures.errorPercent, expected[i]);
+        EXPECT_EQ(hasTraces(*kept[i].result), i == 1) << "of run " << expected[i];
+    }
+    EXPECT_TRUE(kept[0].isPinned);
 }
 
 TEST_F(RunHistory, HoldsWhatRunsShareOnce) {
