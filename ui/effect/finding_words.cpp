@@ -88,17 +88,24 @@ FindingWords findingWords(const Finding& finding, RunKind kind) {
     }
     if (finding.interrupted)
         return {tr("Search stopped"), tr("What was found until then is shown; the rest was not tried."), false};
-    const QString found = finding.effects.empty()       ? QString()
-                          : finding.effects.size() == 1 ? effectTitle(finding.effects.front())
-                                                        : tr("%1 effects").arg(finding.effects.size());
+    const bool isOne = finding.effects.size() == 1;
+    const QString found = finding.effects.empty() ? QString()
+                          : isOne                 ? effectTitle(finding.effects.front())
+                                                  : tr("%1 effects").arg(finding.effects.size());
     switch (finding.kind) {
         case FindingKind::Adequate:
             return {tr("The model is adequate"),
                     tr("What is left between model and measurement is noise. Nothing was added."), true};
         case FindingKind::Effect:
-            return {found, tr("With it, refitted, what is left is noise."), true};
+            return {found,
+                    isOne ? tr("With it, refitted, what is left is noise.")
+                          : tr("With them, refitted, what is left is noise."),
+                    true};
         case FindingKind::Partial:
-            return {found, tr("With it, refitted, some structure remains that no candidate explains."), false};
+            return {found,
+                    isOne ? tr("With it, refitted, some structure remains that no candidate explains.")
+                          : tr("With them, refitted, some structure remains that no candidate explains."),
+                    false};
         case FindingKind::Unexplained:
         case FindingKind::Interrupted:  // told above
             break;

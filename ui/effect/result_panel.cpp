@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -16,6 +17,7 @@
 #include "ui/document/document.hpp"
 #include "ui/document/mention.hpp"
 #include "ui/effect/finding_words.hpp"
+#include "ui/effect/result_table.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
@@ -25,41 +27,6 @@ namespace analogon::ui {
 namespace {
 
 QString text(const std::string& s) { return QString::fromStdString(s); }
-
-/// Three digits at most: evidence spans many powers of ten, and nobody reads its fourth digit.
-QString evidenceText(double value) {
-    if (!std::isfinite(value)) return QStringLiteral("–");
-    if (std::abs(value) < 9999.5) return style::fixedText(value, std::abs(value) < 99.5 ? 1 : 0);
-    return style::withDecimalSign(QString::number(value, 'e', 1).remove("+0").remove('+').toStdString());
-}
-
-/// A table that is as high as its rows and scrolls with the page.
-QTreeWidget* makeTable(const QStringList& headers, QWidget* parent) {
-    auto* table = new QTreeWidget(parent);
-    table->setHeaderLabels(headers);
-    table->setRootIsDecorated(false);
-    table->setFrameShape(QFrame::NoFrame);
-    table->setSelectionMode(QAbstractItemView::NoSelection);
-    table->setFocusPolicy(Qt::NoFocus);
-    table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    table->setUniformRowHeights(true);
-    table->header()->setStretchLastSection(false);
-    table->header()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    return table;
-}
-
-void fitHeight(QTreeWidget* table) {
-    table->doItemsLayout();
-    int height = table->header()->sizeHint().height() + 4;
-    for (int i = 0; i < table->topLevelItemCount(); ++i)
-        height += std::max(table->visualItemRect(table->topLevelItem(i)).height(), table->fontMetrics().height() + 4);
-    table->setFixedHeight(height);
-}
-
-void alignRight(QTreeWidgetItem* item, std::initializer_list<int> columns) {
-    for (const int c : columns) item->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
-}
 
 }  // namespace
 
@@ -71,6 +38,11 @@ ResultPanel::ResultPanel(Document& document, QWidget* parent) : QScrollArea(pare
     soon_.setSingleShot(true);
     connect(&soon_, &QTimer::timeout, this, &ResultPanel::refresh);
     const auto refreshSoon = [this] { soon_.start(0); };
+    connect(verticalScrollBar(), &QScrollBar::valueChanged, this, [this] {
+        if (!candidates_ || !candidates_->viewport()->underMouse()) return;
+        const QPoint at = candidates_->viewport()->mapFromGlobal(QCursor::pos());
+        lookAt(candidates_->itemAt(at));  // another row has come under the pointer, which did not move
+    });
     connect(&document, &Document::resultChanged, this, refreshSoon);
     connect(&document, &Document::modelChanged, this, refreshSoon);
     connect(&document, &Document::parametersChanged, this, refreshSoon);
@@ -107,6 +79,7 @@ void ResultPanel::addHeading(const QString& content) {
 
 /// The row under the pointer, else the marked one: its place in the diagram, and what it would bring.
 void ResultPanel::lookAt(const QTreeWidgetItem* candidate) {
+    if (candidate && candidate->data(2, Qt::UserRole).isNull()) candidate = nullptr;  // the heading of a round
     Q_EMIT placePointedAt(candidate ? candidate->data(1, Qt::UserRole).toString() : QString());
     if (!candidate || document_.isResultStale()) return Q_EMIT effectLeft();
     const EffectChoice choice{candidate->data(2, Qt::UserRole).toString().toStdString(),
@@ -125,6 +98,8 @@ void ResultPanel::refresh() {
     headline_ = nullptr;
     candidates_ = comparison_ = nullptr;
     try_ = nullptr;
+    filter_ = nullptr;
+    byRound_ = nullptr;
     body_ = new QWidget;
     body_->setBackgroundRole(QPalette::Base);
     body_->setAutoFillBackground(true);
@@ -193,7 +168,7 @@ void ResultPanel::addComparison(const Finding& finding) {
     const bool isDiscover = document_.resultKind() == RunKind::Discover;
     const std::shared_ptr<const ModelState> held = document_.before();
     const ModelState* before = isDiscover ? &finding.baseline : held.get();
-    comparison_ = makeTable({tr("Error"), tr("Role"), tr("Before"), tr("After")}, body_);
+    comparison_ = resultTable({tr("Error"), tr("Role"), tr("Before"), tr("After")}, body_);
     for (const ExperimentState& after : finding.final.experiments) {
         double was = std::nan("");
         if (before)
@@ -214,7 +189,7 @@ void ResultPanel::addComparison(const Finding& finding) {
     comparison_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     column_->addSpacing(2 * style::unit);
     column_->addWidget(comparison_);
-    fitHeight(comparison_);
+    fitTableHeight(comparison_);
 }
 
 void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
@@ -347,80 +322,6 @@ void ResultPanel::addCautions(const Finding& finding) {
         grid->addWidget(label, row++, 1);
     }
     column_->addLayout(grid);
-}
-
-void ResultPanel::addCandidates(const Finding& finding) {
-    addHeading(tr("What was tried"));
-    if (!finding.effects.empty())
-        addText(tr("Each with its figures in the round in which it was tried; those above are of the finished model."),
-                true);
-    candidates_ = makeTable({tr("Effect"), tr("At"), tr("Screening"), tr("ΔBIC"), tr("Verdict")}, body_);
-    candidates_->headerItem()->setToolTip(
-        2,
-        tr("How much of the residual the effect would explain, estimated before any refit: signal to noise, squared"));
-    candidates_->headerItem()->setToolTip(
-        3, tr("Of the refit with the effect, beside what the model held in that round; empty: it was not refitted"));
-    for (const CandidateResult& c : finding.candidates) {
-        const LibraryClass* cls = document_.library().find(c.className);
-        const QString what = cls ? shortDescription(text(cls->definition->description)) : QString();
-        auto* item = new QTreeWidgetItem(
-            candidates_,
-            {what.isEmpty() ? text(c.kind) : what, placeText(text(c.at), text(c.channel)), evidenceText(c.score),
-             c.deltaBic ? evidenceText(*c.deltaBic) : QString(), verdictText(c.verdict)});
-        item->setData(0, Qt::UserRole, text(c.kind));
-        item->setData(1, Qt::UserRole, placeOf(text(c.at)));
-        item->setData(2, Qt::UserRole, text(c.className));
-        item->setData(3, Qt::UserRole, text(c.at));
-        item->setToolTip(0, QStringList{item->text(0), text(c.kind), text(c.className)}.join('\n'));
-        item->setToolTip(1, item->text(1));
-        alignRight(item, {2, 3});
-        item->setToolTip(4, inWords(verdictWords(c)));
-        if (c.verdict == Verdict::Chosen) {
-            for (int i = 0; i < 5; ++i) {
-                QFont bold = item->font(i);
-                bold.setWeight(QFont::DemiBold);
-                item->setFont(i, bold);
-            }
-            item->setForeground(4, style::good(palette()));
-        } else if (c.verdict != Verdict::Equivalent) {
-            for (int i = 0; i < 5; ++i) item->setForeground(i, style::mutedText(palette()));
-        }
-    }
-    for (const int c : {2, 3}) candidates_->headerItem()->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
-    candidates_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    candidates_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    style::wrapColumn(candidates_, 0);  // the ends of two names may be all that tells them apart
-    connect(candidates_->header(), &QHeaderView::sectionResized, candidates_,
-            [list = candidates_] { QTimer::singleShot(0, list, [list] { fitHeight(list); }); });
-    candidates_->setMouseTracking(true);
-    candidates_->viewport()->installEventFilter(this);
-    connect(candidates_, &QTreeWidget::itemEntered, this, &ResultPanel::lookAt);
-    candidates_->setSelectionMode(QAbstractItemView::SingleSelection);
-    candidates_->setFocusPolicy(Qt::StrongFocus);
-    candidates_->setAccessibleName(tr("What was tried"));
-    column_->addWidget(candidates_);
-    fitHeight(candidates_);
-    try_ = new QPushButton(tr("Try the marked effect"), body_);
-    try_->setToolTip(tr("Fits the model with this effect and shows its traces; the result is kept among the runs"));
-    try_->setEnabled(false);
-    addButton(try_);
-    // An equation without a name is only proposed: there is no block to try.
-    const auto kindOf = [](const QTreeWidgetItem* item) {
-        const QString kind = item ? item->data(0, Qt::UserRole).toString() : QString();
-        return kind.startsWith("proposal.") ? QString() : kind;
-    };
-    connect(candidates_, &QTreeWidget::currentItemChanged, this, [this, kindOf](QTreeWidgetItem* item) {
-        try_->setEnabled(!kindOf(item).isEmpty() && !document_.isResultStale());
-        lookAt(item);
-    });
-    const auto tryIt = [this, kindOf] {
-        const QTreeWidgetItem* item = candidates_->currentItem();
-        if (kindOf(item).isEmpty() || document_.isResultStale()) return;
-        Q_EMIT trialWanted({item->data(2, Qt::UserRole).toString().toStdString(),
-                            item->data(3, Qt::UserRole).toString().toStdString()});
-    };
-    connect(try_, &QPushButton::clicked, this, tryIt);
-    connect(candidates_, &QTreeWidget::itemActivated, this, tryIt);
 }
 
 }  // namespace analogon::ui

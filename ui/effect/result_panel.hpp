@@ -5,7 +5,9 @@
 
 #include "core/effect/tell/preview.hpp"
 
+class QCheckBox;
 class QLabel;
+class QLineEdit;
 class QPushButton;
 class QTreeWidget;
 class QTreeWidgetItem;
@@ -13,6 +15,7 @@ class QVBoxLayout;
 
 namespace analogon {
 struct AddedEffect;
+struct CandidateResult;
 struct Finding;
 struct Remainder;
 enum class Verdict;
@@ -34,7 +37,9 @@ public:
     QString headline() const;
     QTreeWidget* candidates() const { return candidates_; }  // null: none
     QTreeWidget* comparison() const { return comparison_; }
-    QPushButton* tryButton() const { return try_; }  // null: no candidates
+    QPushButton* tryButton() const { return try_; }         // null: no candidates
+    QLineEdit* candidateFilter() const { return filter_; }  // the same
+    QCheckBox* roundBox() const { return byRound_; }        // the same
 
 Q_SIGNALS:
     void effectChosen(const QString& instance);
@@ -61,6 +66,11 @@ private:
     void addProposalAdoption(const Finding& finding);
     void addCautions(const Finding& finding);
     void addCandidates(const Finding& finding);
+    QTreeWidgetItem* addCandidate(const CandidateResult& candidate);
+    void addCandidateTools();
+    void groupCandidates();
+    void filterCandidates();
+    void tryCandidate(const QTreeWidgetItem* item);
     void addButton(QPushButton* button);
     QLabel* addText(const QString& text, bool isCaption = false);
     /// What of the study is named in it leads there.
@@ -75,6 +85,10 @@ private:
     QTreeWidget* candidates_{};
     QTreeWidget* comparison_{};
     QPushButton* try_{};
+    QLineEdit* filter_{};
+    QCheckBox* byRound_{};
+    QString sought_;  // what of the candidates is shown, and how: it stays when the page is built anew
+    bool isByRound_{};
 };
 
 }  // namespace analogon::ui

@@ -186,7 +186,7 @@ void FitPanel::createParts() {
     list->addWidget(hint_);
     list->addLayout(row);
     auto* parts = new QSplitter(Qt::Vertical, this);
-    parts->setObjectName("runs-parts");  // the window keeps its borders
+    parts->setObjectName("runs-parts");
     parts->setChildrenCollapsible(false);
     for (QWidget* part : std::initializer_list<QWidget*>{options_, runs, comparison_}) parts->addWidget(part);
     for (const int part : {1, 2}) parts->setStretchFactor(part, part + 1);

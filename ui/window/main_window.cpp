@@ -7,7 +7,6 @@
 #include <QLocale>
 #include <QMenuBar>
 #include <QScreen>
-#include <QScrollArea>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -39,6 +38,7 @@
 #include "ui/plot/plot_panel.hpp"
 #include "ui/signals/plot_area.hpp"
 #include "ui/signals/signal_browser.hpp"
+#include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/text/text_view.hpp"
 #include "ui/window/breadcrumb.hpp"
@@ -52,8 +52,6 @@
 namespace analogon::ui {
 
 namespace {
-
-constexpr int layoutVersion = 4;  // raised when docks are added, so that an old layout is not restored
 
 /// Heading of a dock: a quiet line of text instead of the style's frame. Drags like the built-in one.
 class DockTitle : public QLabel {
@@ -81,17 +79,6 @@ protected:
 private:
     bool isCollapsed_{};
 };
-
-/// A panel that is as high as its content wants, or scrolls.
-QScrollArea* scrolling(QWidget* panel) {
-    auto* area = new QScrollArea;
-    area->setWidget(panel);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setMinimumWidth(panel->minimumSizeHint().width());
-    return area;
-}
 
 }  // namespace
 
@@ -167,7 +154,7 @@ void MainWindow::createPanels() {
     parameterDock_ = addDock("parameters", tr("Parameters"), parameters_, Qt::RightDockWidgetArea);
     resultDock_ = addDock("result", tr("Result"), results_, Qt::RightDockWidgetArea);
     runs_ = new FitPanel(*document_, *controller_);
-    runDock_ = addDock("runs", tr("Runs"), scrolling(runs_), Qt::RightDockWidgetArea);
+    runDock_ = addDock("runs", tr("Runs"), runs_, Qt::RightDockWidgetArea);
     plotDock_ = addDock("traces", tr("Measured and simulated"), plots_, Qt::BottomDockWidgetArea);
     messageDock_ = addDock("messages", tr("Messages"), messages_, Qt::BottomDockWidgetArea);
     signalDock_ = addDock("signals", tr("Signals"), signals_, Qt::LeftDockWidgetArea);
@@ -320,6 +307,7 @@ void MainWindow::createMenus() {
     view->addActions({fitViewAction_, textBesideAction_});
     view->addSeparator();
     for (QDockWidget* dock : docks()) view->addAction(dock->toggleViewAction());
+    addArrangements(view);
     view->addAction(tr("Reset layout"), this, &MainWindow::resetLayout);
     addPanelKeys(view->addMenu(tr("Go to")));
     view->addSeparator();
@@ -374,7 +362,7 @@ void MainWindow::addPanelKeys(QMenu* menu) {
 void MainWindow::addLanguages(QMenu* view) {
     QMenu* menu = view->addMenu(tr("Language"));
     auto* group = new QActionGroup(this);
-    const QString now = settings_.value("window/language", QLocale().name().left(2)).toString();
+    const QString now = style::windowLocale().name().left(2);  // as it is shown, whoever asked for it
     const std::pair<QString, QString> names[] = {{"en", QStringLiteral("English")}, {"de", QStringLiteral("Deutsch")}};
     for (const auto& [code, name] : names) {
         QAction* action = menu->addAction(name, this, [this, code = code] {
@@ -615,6 +603,8 @@ void MainWindow::arrangeDocks() {
 }
 
 void MainWindow::resetLayout() {
+    arrangement_ = -1;
+    showArrangement();
     arrangeDocks();
     closedDocks_.clear();
     if (areDocksShown_)
@@ -645,11 +635,16 @@ void MainWindow::sizeDocks() {
     isLayoutFresh_ = false;
 }
 
-/// A laptop that is plugged into a large screen has two layouts.
-QString MainWindow::layoutKey() const { return isCompact_ ? "window/small-state" : "window/state"; }
+/// A laptop that is plugged into a large screen has two layouts, and each part of the work its own.
+QString MainWindow::layoutKey() const {
+    const QString key = isCompact_ ? "window/small-state" : "window/state";
+    return arrangement_ < 0 ? key : key + QStringLiteral("-%1").arg(arrangement_);
+}
 
 void MainWindow::restoreLayout() {
     restoreGeometry(settings_.value("window/geometry").toByteArray());
+    arrangement_ = settings_.value("window/arrangement", -1).toInt();
+    showArrangement();
     if (isSmall() != isCompact_) arrangeDocks();
     if (restoreState(settings_.value(layoutKey()).toByteArray(), layoutVersion)) isLayoutFresh_ = false;
 }
@@ -659,6 +654,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     if (document_->isOpen() && areDocksShown_) {  // the start page hides the docks: nothing worth remembering
         settings_.setValue("window/geometry", saveGeometry());
         settings_.setValue(layoutKey(), saveState(layoutVersion));
+        settings_.setValue("window/arrangement", arrangement_);
     }
     if (document_->isModified() && !mayClose_) {
         event->ignore();

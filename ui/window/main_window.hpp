@@ -85,6 +85,9 @@ private:
     void connectPanels();
     void restoreLayout();
     void resetLayout();
+    void addArrangements(QMenu* menu);
+    void arrangeFor(int arrangement);
+    void showArrangement();
     void setDocksShown(bool areShown);
     bool isSmall() const;
     void arrangeDocks();
@@ -171,7 +174,9 @@ private:
     bool isReadingGuide_{};
     QStringList waitingImports_;  // dropped together: one after the other
     QToolBar* recoveredBar_{};
-    bool isCompact_{};  // as the docks were arranged
+    bool isCompact_{};                       // as the docks were arranged
+    static constexpr int layoutVersion = 4;  // raised when docks are added: an old layout is not restored
+    int arrangement_{-1};                    // for one part of the work; -1: everything
     bool isLayoutFresh_{true};
     QDockWidget *libraryDock_{}, *measurementDock_{}, *parameterDock_{}, *resultDock_{}, *runDock_{}, *plotDock_{},
         *messageDock_{}, *signalDock_{}, *signalPlotDock_{};

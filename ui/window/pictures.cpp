@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QDir>
 #include <QDockWidget>
 #include <QElapsedTimer>
@@ -42,6 +43,7 @@
 #include "ui/signals/signal_strip.hpp"
 #include "ui/style/style.hpp"
 #include "ui/style/translator.hpp"
+#include "ui/text/find_bar.hpp"
 #include "ui/text/text_view.hpp"
 #include "ui/window/compose_actions.hpp"
 #include "ui/window/generate_page.hpp"
@@ -170,7 +172,8 @@ public:
         take(window, "14-guide");
         return takeGroup(examples.front().path) && takeSmall(examples.front().path) &&
                takeComposing(examples.front().path) && takeRunning(examples.back().path) &&
-               takeSignals(examples.front().path) && isWhole_;
+               takeSignals(examples.front().path) && takeFinding(examples.front().path) &&
+               takeArrangements(examples.front().path) && isWhole_;
     }
 
 private:
@@ -310,6 +313,68 @@ private:
         window.resize(1024, 768);
         settle();
         take(window, "20-signals-1024");
+        document.undoStack().setClean();
+        return true;
+    }
+    /// A block by another word for it, a search without result, and a word of the text.
+    bool takeFinding(const QString& example) {
+        MainWindow window;
+        if (!openIn(window, {1024, 700}, example)) return false;
+        auto* library = window.findChild<LibraryPanel*>();
+        window.findChild<QDockWidget*>("library")->raise();
+        library->search()->setText("Heizung");
+        window.findChild<QTabWidget*>("centre")->setCurrentWidget(window.findChild<TextView*>());
+        FindBar* find = window.findChild<TextView*>()->findBar();
+        find->open();
+        find->field()->setText("heater");
+        settle();
+        take(window, "21-find");
+        library->search()->setText("xyz");
+        find->field()->setText("xyz");
+        settle();
+        take(window, "21-nothing-found");
+        return true;
+    }
+    /// The arrangement for each part of the work, with a parameter that is turned; the result with its runs named.
+    bool takeArrangements(const QString& example) {
+        MainWindow window;
+        if (!openIn(window, {1024, 700}, example)) return false;
+        Document& document = window.document();
+        if (!waitFor([&] { return !document.facts().parameters.empty(); })) return false;
+        window.controller().start(RunKind::Discover);
+        waitFor([&] { return !window.controller().isRunning(); });
+        window.controller().start(RunKind::Fit);
+        waitFor([&] { return !window.controller().isRunning(); });
+        if (document.history().size() < 2) return false;
+        document.describeRun(document.history().front().number, "A", "1024 x 700");
+        document.pinRun(document.history().front().number, true);
+        const auto turnTo = [&](Qt::Key key) {
+            for (QAction* action : window.findChildren<QAction*>())
+                if (action->shortcut() == QKeySequence(key)) action->trigger();
+            settle(300);
+        };
+        turnTo(Qt::Key_F7);
+        window.findChild<ParameterPanel*>()->pointAt(QString::fromStdString(document.facts().parameters.front().name));
+        settle(300);
+        take(window, "22-for-the-model");
+        turnTo(Qt::Key_F8);
+        take(window, "22-for-the-data");
+        document.restoreRun(document.history().front());
+        turnTo(Qt::Key_F9);
+        auto* results = window.findChild<ResultPanel*>();
+        if (QTreeWidget* list = results->candidates()) {
+            results->roundBox()->setChecked(true);
+            settle();
+            results->verticalScrollBar()->setValue(list->y() - results->viewport()->height() / 3);
+        }
+        settle();
+        take(window, "22-for-the-result");
+        auto* runs = window.findChild<FitPanel*>();
+        window.findChild<QDockWidget*>("runs")->raise();
+        runs->history()->setCurrentItem(runs->history()->topLevelItem(0));
+        runs->history()->topLevelItem(0)->setSelected(true);
+        settle();
+        take(window, "22-a-run-with-a-name");
         document.undoStack().setClean();
         return true;
     }

@@ -1,5 +1,6 @@
 #include "ui/window/recovered_line.hpp"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -8,8 +9,10 @@
 namespace analogon::ui {
 
 RecoveredLine::RecoveredLine(Recovered recovered, QWidget* parent) : QWidget(parent) {
+    // "study.json" says nothing without its folder.
+    const QFileInfo file(recovered.path);
     const QString name =
-        recovered.path.isEmpty() ? tr("A study that was never saved") : QFileInfo(recovered.path).fileName();
+        recovered.path.isEmpty() ? tr("A study that was never saved") : file.dir().dirName() + u'/' + file.fileName();
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     auto* open = new QPushButton(tr("Open"), this);

@@ -1,0 +1,140 @@
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QCheckBox>
+#include <QDockWidget>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QSettings>
+#include <QToolButton>
+#include <QTreeWidget>
+
+#include "tests/ui/panels_fixture.hpp"
+#include "ui/effect/result_panel.hpp"
+
+namespace analogon::ui {
+
+namespace {
+
+class Arrangements : public Panels {
+protected:
+    ~Arrangements() override { QSettings().remove("window"); }  // what one test arranged is nothing to the next
+    static QStringList shown(const MainWindow& of) {
+        QStringList names;
+        for (const QDockWidget* dock : of.findChildren<QDockWidget*>())
+            if (!dock->isHidden()) names << dock->objectName();
+        names.sort();
+        return names;
+    }
+};
+
+}  // namespace
+
+TEST_F(Arrangements, AreOneKeyApartAndLeadBack) {
+    openLambda();
+    const QStringList all = shown(window);
+    QTest::keyClick(&window, Qt::Key_F7);
+    EXPECT_EQ(shown(window), (QStringList{"library", "messages", "parameters"}));
+    QTest::keyClick(&window, Qt::Key_F8);
+    EXPECT_EQ(shown(window), (QStringList{"measurements", "plots", "signals", "traces"}));
+    QTest::keyClick(&window, Qt::Key_F9);
+    EXPECT_EQ(shown(window), (QStringList{"plots", "result", "runs", "traces"}));
+    window.findChild<QDockWidget*>("runs")->close();
+    QTest::keyClick(&window, Qt::Key_F7);
+    QTest::keyClick(&window, Qt::Key_F9);
+    EXPECT_FALSE(shown(window).contains("runs")) << "as the user left it";
+    QTest::keyClick(&window, Qt::Key_F9);
+    EXPECT_EQ(shown(window), all) << "the same key again";
+}
+
+/// A screen of 1024 x 700, and one of 1280 x 720 at 150 %.
+TEST_F(Arrangements, LeaveRoomForTheDiagramInSmallWindows) {
+    openLambda();
+    for (const QSize& size : {QSize(1024, 700), QSize(853, 480)}) {
+        window.resize(size);
+        QTest::qWait(20);
+        for (const Qt::Key key : {Qt::Key_F7, Qt::Key_F8, Qt::Key_F9}) {
+            QTest::keyClick(&window, key);
+            QTest::qWait(50);
+            EXPECT_EQ(window.size(), size) << "no panel asks for more than there is";
+            EXPECT_GE(window.centralWidget()->width(), 320);
+            EXPECT_GE(window.centralWidget()->height(), 160);
+        }
+    }
+}
+
+TEST_F(Arrangements, AreSavedWithTheWindow) {
+    {
+        MainWindow first;
+        first.show();
+        first.open(lambdaFile("one"));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return first.document().isOpen() && first.document().before(); }, 20000));
+        QTest::keyClick(&first, Qt::Key_F9);
+        first.close();
+    }
+    MainWindow second;
+    second.show();
+    second.open(lambdaFile("two"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return second.document().isOpen() && second.document().before(); }, 20000));
+    EXPECT_EQ(shown(second), (QStringList{"plots", "result", "runs", "traces"}));
+    const auto* group = second.findChild<QActionGroup*>("arrangements");
+    ASSERT_TRUE(group && group->checkedAction());
+    EXPECT_EQ(group->checkedAction()->shortcut(), QKeySequence(Qt::Key_F9));
+    QTest::keyClick(&second, Qt::Key_F9);
+    second.close();
+}
+
+TEST_F(Arrangements, WhatWasTriedIsFilteredAndGrouped) {
+    openLambda();
+    run(RunKind::Discover);
+    auto* results = panel<ResultPanel>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return results->candidates() != nullptr; }, 5000));
+    QTest::qWait(500);  // until what follows the run has come
+    QTreeWidget* list = results->candidates();
+    const int all = list->topLevelItemCount();
+    ASSERT_GT(all, 3);
+    const auto visible = [&] {
+        int rows = 0;
+        for (int i = 0; i < list->topLevelItemCount(); ++i) rows += !list->topLevelItem(i)->isHidden();
+        return rows;
+    };
+    const int height = list->height();
+    QTest::keyClicks(results->candidateFilter(), "thermal.resistance");
+    EXPECT_GT(visible(), 0);
+    EXPECT_LT(visible(), all);
+    EXPECT_LT(list->height(), height);
+    results->candidateFilter()->clear();
+    EXPECT_EQ(visible(), all);
+    QTest::mouseClick(results->roundBox(), Qt::LeftButton, {}, QPoint(8, results->roundBox()->height() / 2));
+    ASSERT_TRUE(results->roundBox()->isChecked());
+    int grouped = 0;
+    for (int i = 0; i < list->topLevelItemCount(); ++i) {
+        EXPECT_EQ(list->topLevelItem(i)->text(0),
+                  QStringLiteral("Round %1").arg(list->topLevelItem(i)->child(0)->data(0, Qt::UserRole + 2).toInt()));
+        grouped += list->topLevelItem(i)->childCount();
+    }
+    EXPECT_EQ(grouped, all);
+    QTest::mouseClick(results->roundBox(), Qt::LeftButton, {}, QPoint(8, results->roundBox()->height() / 2));
+    EXPECT_EQ(list->topLevelItemCount(), all);
+}
+
+TEST_F(Arrangements, AnEffectIsTriedByTheButtonBesideItsRow) {
+    openLambda();
+    run(RunKind::Discover);
+    auto* results = panel<ResultPanel>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return results->candidates() != nullptr; }, 5000));
+    QTreeWidget* list = results->candidates();
+    QTreeWidgetItem* row = nullptr;
+    for (int i = 0; i < list->topLevelItemCount() && !row; ++i)
+        if (list->topLevelItem(i)->toolTip(0).contains("thermal.resistance")) row = list->topLevelItem(i);
+    ASSERT_TRUE(row);
+    auto* button = qobject_cast<QToolButton*>(list->itemWidget(row, 5));
+    ASSERT_TRUE(button);
+    results->ensureWidgetVisible(button);
+    QTest::mouseClick(button, Qt::LeftButton);
+    EXPECT_TRUE(window.controller().isRunning());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.controller().isRunning(); }, 60000));
+    EXPECT_EQ(document().history().size(), 2u);
+}
+
+}  // namespace analogon::ui

@@ -1,0 +1,209 @@
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTimer>
+#include <QToolButton>
+#include <QTreeWidgetItemIterator>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "core/report/words.hpp"
+#include "ui/document/document.hpp"
+#include "ui/document/mention.hpp"
+#include "ui/effect/finding_words.hpp"
+#include "ui/effect/result_panel.hpp"
+#include "ui/effect/result_table.hpp"
+#include "ui/style/style.hpp"
+#include "ui/words/words.hpp"
+
+/// What was tried: the table of candidates, filtered, grouped by round, with a trial beside each.
+namespace analogon::ui {
+
+namespace {
+
+enum CandidateColumn { What, Where, Screening, DeltaBic, Judgement, Trial };
+/// Of a row; the first is the kind, the place to point at, the class and the place, from the left.
+enum CandidateRole { KindRole = Qt::UserRole, NumberRole, RoundRole, RankRole };
+
+/// An equation without a name is only proposed: there is no block to try.
+bool canBeTried(const QTreeWidgetItem* item) {
+    const QString kind = item ? item->data(0, KindRole).toString() : QString();
+    return !kind.isEmpty() && !kind.startsWith("proposal.");
+}
+
+}  // namespace
+
+QTreeWidgetItem* ResultPanel::addCandidate(const CandidateResult& c) {
+    const auto text = [](const std::string& s) { return QString::fromStdString(s); };
+    const LibraryClass* cls = document_.library().find(c.className);
+    const QString what = cls ? shortDescription(text(cls->definition->description)) : QString();
+    auto* item = new QTreeWidgetItem(
+        QStringList{what.isEmpty() ? text(c.kind) : what, placeText(text(c.at), text(c.channel)), evidenceText(c.score),
+                    c.deltaBic ? evidenceText(*c.deltaBic) : QString(), verdictText(c.verdict)});
+    item->setData(0, KindRole, text(c.kind));
+    item->setData(1, KindRole, placeOf(text(c.at)));
+    item->setData(2, KindRole, text(c.className));
+    item->setData(3, KindRole, text(c.at));
+    item->setData(0, RoundRole, c.round);
+    item->setData(Screening, NumberRole, c.score);
+    if (c.deltaBic) item->setData(DeltaBic, NumberRole, *c.deltaBic);
+    item->setToolTip(0, QStringList{item->text(0), text(c.kind), text(c.className)}.join('\n'));
+    item->setToolTip(1, item->text(1));
+    alignRight(item, {Screening, DeltaBic});
+    item->setToolTip(Judgement, inWords(verdictWords(c)));
+    if (c.verdict == Verdict::Chosen) {
+        for (int i = 0; i < Trial; ++i) {
+            QFont bold = font();
+            bold.setWeight(QFont::DemiBold);
+            item->setFont(i, bold);
+        }
+        item->setForeground(Judgement, style::good(palette()));
+    } else if (c.verdict != Verdict::Equivalent) {
+        for (int i = 0; i < Trial; ++i) item->setForeground(i, style::mutedText(palette()));
+    }
+    return item;
+}
+
+void ResultPanel::addCandidateTools() {
+    filter_ = new QLineEdit(sought_, body_);
+    filter_->setPlaceholderText(tr("Filter"));
+    filter_->setAccessibleName(tr("Filter what was tried"));
+    filter_->setClearButtonEnabled(true);
+    byRound_ = new QCheckBox(tr("By round"), body_);
+    byRound_->setToolTip(tr("What was tried in each round stands together"));
+    byRound_->setChecked(isByRound_);
+    auto* row = new QHBoxLayout;
+    row->addWidget(filter_, 1);
+    row->addWidget(byRound_);
+    column_->addLayout(row);
+    connect(filter_, &QLineEdit::textChanged, this, [this](const QString& words) {
+        sought_ = words;
+        filterCandidates();
+    });
+    connect(byRound_, &QCheckBox::toggled, this, [this](bool isByRound) {
+        isByRound_ = isByRound;
+        groupCandidates();
+    });
+}
+
+/// Puts the rows under a heading for each round, or all on one level; each gets its button anew, as the table takes it
+/// away with a row that moves.
+void ResultPanel::groupCandidates() {
+    std::vector<QTreeWidgetItem*> rows;
+    while (candidates_->topLevelItemCount() > 0) {
+        QTreeWidgetItem* top = candidates_->takeTopLevelItem(0);
+        if (top->data(0, RankRole).isValid()) {
+            rows.push_back(top);
+        } else {
+            for (QTreeWidgetItem* row : top->takeChildren()) rows.push_back(row);
+            delete top;
+        }
+    }
+    std::sort(rows.begin(), rows.end(),
+              [](const auto* a, const auto* b) { return a->data(0, RankRole).toInt() < b->data(0, RankRole).toInt(); });
+    std::set<int> rounds;
+    for (const QTreeWidgetItem* row : rows) rounds.insert(row->data(0, RoundRole).toInt());
+    std::map<int, QTreeWidgetItem*> headings;
+    if (isByRound_)
+        for (const int round : rounds) {
+            auto* heading = new QTreeWidgetItem(candidates_, {tr("Round %1").arg(round)});
+            heading->setFirstColumnSpanned(true);
+            heading->setFlags(Qt::ItemIsEnabled);
+            heading->setExpanded(true);
+            headings[round] = heading;
+        }
+    for (QTreeWidgetItem* row : rows) {
+        if (isByRound_)
+            headings[row->data(0, RoundRole).toInt()]->addChild(row);
+        else
+            candidates_->addTopLevelItem(row);
+        if (!canBeTried(row)) continue;
+        auto* button = new QToolButton;
+        button->setIcon(style::icon("simulate"));
+        button->setAutoRaise(true);
+        button->setFocusPolicy(Qt::NoFocus);  // Enter on the row does the same
+        button->setToolTip(tr("Try this effect"));
+        button->setAccessibleName(tr("Try this effect"));
+        button->setEnabled(!document_.isResultStale());
+        connect(button, &QToolButton::clicked, this, [this, row] { tryCandidate(row); });
+        candidates_->setItemWidget(row, Trial, button);
+    }
+    filterCandidates();
+}
+
+/// Rows in which each word is found; headings of rounds that have none left go as well.
+void ResultPanel::filterCandidates() {
+    const QStringList words = sought_.split(u' ', Qt::SkipEmptyParts);
+    std::set<QTreeWidgetItem*> filled;
+    for (QTreeWidgetItemIterator row(candidates_); *row; ++row) {
+        if (!(*row)->data(0, RankRole).isValid()) continue;
+        QString all;
+        for (int c = 0; c < Trial; ++c) all += (*row)->text(c) + u' ';
+        all += (*row)->toolTip(0);
+        const bool fits = std::all_of(words.begin(), words.end(),
+                                      [&](const QString& w) { return all.contains(w, Qt::CaseInsensitive); });
+        (*row)->setHidden(!fits);
+        if (fits && (*row)->parent()) filled.insert((*row)->parent());
+    }
+    for (int i = 0; isByRound_ && i < candidates_->topLevelItemCount(); ++i)
+        candidates_->topLevelItem(i)->setHidden(!filled.contains(candidates_->topLevelItem(i)));
+    fitTableHeight(candidates_);
+}
+
+void ResultPanel::tryCandidate(const QTreeWidgetItem* item) {
+    if (!canBeTried(item) || document_.isResultStale()) return;
+    Q_EMIT trialWanted(
+        {item->data(2, KindRole).toString().toStdString(), item->data(3, KindRole).toString().toStdString()});
+}
+
+void ResultPanel::addCandidates(const Finding& finding) {
+    addHeading(tr("What was tried"));
+    if (!finding.effects.empty())
+        addText(tr("Each with its figures in the round in which it was tried; those above are of the finished model."),
+                true);
+    addCandidateTools();
+    candidates_ = resultTable({tr("Effect"), tr("At"), tr("Screening"), tr("ΔBIC"), tr("Verdict"), QString()}, body_);
+    QTreeWidgetItem* head = candidates_->headerItem();
+    head->setToolTip(Screening, tr("How much of the residual the effect would explain, estimated before any refit: "
+                                   "signal to noise, squared"));
+    head->setToolTip(DeltaBic, tr("Of the refit with the effect, beside what the model held in that round; empty: it "
+                                  "was not refitted"));
+    int rank = 0;
+    for (const CandidateResult& c : finding.candidates) {
+        QTreeWidgetItem* item = addCandidate(c);
+        item->setData(0, RankRole, rank++);
+        candidates_->addTopLevelItem(item);
+    }
+    for (const int c : {Screening, DeltaBic}) head->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
+    QHeaderView* header = candidates_->header();
+    header->setSectionResizeMode(QHeaderView::ResizeToContents);
+    header->setSectionResizeMode(What, QHeaderView::Stretch);
+    style::wrapColumn(candidates_, What);  // the ends of two names may be all that tells them apart
+    connect(header, &QHeaderView::sectionResized, candidates_,
+            [list = candidates_] { QTimer::singleShot(0, list, [list] { fitTableHeight(list); }); });
+    candidates_->setMouseTracking(true);
+    candidates_->viewport()->installEventFilter(this);
+    connect(candidates_, &QTreeWidget::itemEntered, this, &ResultPanel::lookAt);
+    candidates_->setSelectionMode(QAbstractItemView::SingleSelection);
+    candidates_->setFocusPolicy(Qt::StrongFocus);
+    candidates_->setAccessibleName(tr("What was tried"));
+    column_->addWidget(candidates_);
+    groupCandidates();
+    try_ = new QPushButton(tr("Try the marked effect"), body_);
+    try_->setToolTip(tr("Fits the model with this effect and shows its traces; the result is kept among the runs"));
+    try_->setEnabled(false);
+    addButton(try_);
+    connect(candidates_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+        try_->setEnabled(canBeTried(item) && !document_.isResultStale());
+        lookAt(item);
+    });
+    connect(try_, &QPushButton::clicked, this, [this] { tryCandidate(candidates_->currentItem()); });
+    connect(candidates_, &QTreeWidget::itemActivated, this, &ResultPanel::tryCandidate);
+}
+
+}  // namespace analogon::ui
