@@ -13,6 +13,7 @@
 #include "core/measure/channel_place.hpp"
 #include "core/measure/join.hpp"
 #include "core/measure/plausibility.hpp"
+#include "core/study/left_out.hpp"
 #include "core/study/measured.hpp"
 #include "core/study/parameter_reader.hpp"
 #include "core/study/recorded.hpp"
@@ -68,12 +69,20 @@ public:
         if (!study_.experiments.empty() && std::none_of(study_.experiments.begin(), study_.experiments.end(), isUsed))
             fault("/experiments", phrase("no experiment of the study is used"),
                   phrase("Take one back in: leave out its \"use\": false."));
-        for (std::size_t i = 0; i < study_.experiments.size(); ++i)
-            if (study_.experiments[i].isUsed) readExperiment(study_.experiments[i], fmt::format("/experiments/{}", i));
+        for (std::size_t i = 0; i < study_.experiments.size(); ++i) {
+            if (!study_.experiments[i].isUsed) continue;
+            const std::size_t before = said_.size();
+            readExperiment(study_.experiments[i], fmt::format("/experiments/{}", i));
+            Diagnostics why(said_.begin() + static_cast<std::ptrdiff_t>(before), said_.end());
+            if (hasError(why)) faulty_.push_back({i, study_.experiments[i].name, distinct(std::move(why))});
+        }
         addFittedClocks();
         if (hasError(said_)) return distinct(std::move(said_));
         return {std::move(task_), distinct(std::move(said_))};
     }
+
+    /// The recordings that could not be read, once built.
+    const std::vector<FaultyRecording>& faulty() const { return faulty_; }
 
 private:
     void fault(const std::string& pointer, Text message, Text hint = {}) {
@@ -564,6 +573,7 @@ private:
     ModelSignals signals_;
     Diagnostics said_;
     std::size_t faults_{};  // of the experiments
+    std::vector<FaultyRecording> faulty_;
     ParameterReader parameters_;
     std::vector<std::pair<std::string, double>> fixed_;  // set by the study, not fitted
     EstimationTask task_;
@@ -602,7 +612,9 @@ Outcome<Library> studyLibrary(const Study& study) {
     return {std::move(*library), std::move(warnings)};
 }
 
-Outcome<EstimationTask> estimationTask(const Study& study, UnusedColumns unused) {
+namespace {
+
+Outcome<EstimationTask> builtTask(const Study& study, UnusedColumns unused, std::vector<FaultyRecording>& faulty) {
     Outcome<Library> library = studyLibrary(study);
     if (!library) return library.diagnostics();
     if (!library->find(study.className)) {
@@ -622,7 +634,23 @@ Outcome<EstimationTask> estimationTask(const Study& study, UnusedColumns unused)
     Diagnostics said = library.diagnostics();
     for (const Diagnostics& more : {model.diagnostics(), outsideRange(*model, study)})
         said.insert(said.end(), more.begin(), more.end());
-    return TaskBuilder(study, std::move(*library), *model, unused).build(std::move(said));
+    TaskBuilder builder(study, std::move(*library), *model, unused);
+    Outcome<EstimationTask> task = builder.build(std::move(said));
+    faulty = builder.faulty();
+    return task;
+}
+
+}  // namespace
+
+Outcome<EstimationTask> estimationTask(const Study& study, UnusedColumns unused) {
+    std::vector<FaultyRecording> faulty;
+    return builtTask(study, unused, faulty);
+}
+
+std::vector<FaultyRecording> faultyRecordings(const Study& study) {
+    std::vector<FaultyRecording> faulty;
+    static_cast<void>(builtTask(study, UnusedColumns::Leave, faulty));
+    return faulty;
 }
 
 }  // namespace analogon

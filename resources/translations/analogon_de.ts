@@ -8146,6 +8146,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Ihren Versatz in Sekunden angeben, oder die Uhren der Ausgänge anpassen.</translation>
     </message>
     <message>
+        <source>the recording '{}' is left out: {}</source>
+        <translation>Die Aufzeichnung „{}“ ist ausgelassen: {}</translation>
+    </message>
+    <message>
         <source>experiment '{}': the file '{}' has not been read</source>
         <translation>Versuch „{}“: Die Datei „{}“ wurde nicht gelesen</translation>
     </message>
