@@ -4229,6 +4229,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
 <context>
     <name>MeasurementPanel</name>
     <message>
+        <source>Left out until this is mended:</source>
+        <translation>Ausgelassen, bis dies behoben ist:</translation>
+    </message>
+    <message>
         <source>Reading</source>
         <translation>Lesen</translation>
     </message>

@@ -343,6 +343,18 @@ std::optional<double> Document::parameterValue(const std::string& name) const {
     return std::nullopt;
 }
 
+void Document::setLeftOut(std::vector<FaultyRecording> recordings) {
+    if (recordings.empty() && leftOut_.empty()) return;
+    leftOut_ = std::move(recordings);
+    Q_EMIT leftOutChanged();
+}
+
+const FaultyRecording* Document::leftOut(const std::string& recording) const {
+    const auto known = std::find_if(leftOut_.begin(), leftOut_.end(),
+                                    [&](const FaultyRecording& faulty) { return faulty.name == recording; });
+    return known == leftOut_.end() ? nullptr : &*known;
+}
+
 bool Document::canRun() const {
     return isOpen() && std::any_of(study_->experiments.begin(), study_->experiments.end(),
                                    [](const StudyExperiment& e) { return !e.outputs.empty(); });

@@ -11,6 +11,7 @@
 #include "core/archive/archive.hpp"
 #include "core/diagram/diagram.hpp"
 #include "core/diagram/edit.hpp"
+#include "core/study/left_out.hpp"
 #include "core/study/run.hpp"
 #include "core/study/trace_simulator.hpp"
 #include "ui/document/commands.hpp"
@@ -170,6 +171,11 @@ public:
     bool pinRun(unsigned long number, bool isPinned);
     std::vector<PastRun> pastRuns() const;
 
+    /// Recordings with a fault, which the last run or simulation did without.
+    void setLeftOut(std::vector<FaultyRecording> recordings);
+    /// Why a recording was left out; null: it was not.
+    const FaultyRecording* leftOut(const std::string& recording) const;
+
     void setRunMessages(Diagnostics messages);
     /// What the examination of the study says, as every command does before it works on it.
     void setCheckMessages(const Diagnostics& messages) { setMessages(Message::Origin::Check, messages); }
@@ -191,6 +197,7 @@ Q_SIGNALS:
     void liveTracesChanged();  // or the preview
     void comparisonChanged();
     void messagesChanged();
+    void leftOutChanged();
 
 private:
     friend class TextCommand;
@@ -236,6 +243,7 @@ private:
     std::shared_ptr<const ModelState> beforeFit_;
     RunKind resultKind_{RunKind::Simulate};
     std::vector<Message> messages_;
+    std::vector<FaultyRecording> leftOut_;
     unsigned long revision_{}, tracesVersion_{};
     QUndoStack undo_;
     QString path_;

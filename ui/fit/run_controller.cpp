@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/study/left_out.hpp"
 #include "core/study/measured.hpp"
 #include "ui/style/number.hpp"
 #include "ui/words/words.hpp"
@@ -21,6 +22,34 @@ Outcome<RunResult> run(RunKind kind, const Study& study, const RunOptions& optio
             break;
     }
     return runDiscover(study, options, progress);
+}
+
+/// What a run on the sound recordings came to, and which were left out.
+struct SoundRun {
+    Outcome<RunResult> run;
+    std::vector<FaultyRecording> leftOut;
+
+    static SoundRun failed(const Diagnostic& fault) { return {fault, {}}; }
+};
+
+/// A recording with a fault does not keep the others from being worked on.
+SoundRun runSound(RunKind kind, const Study& study, const RunOptions& options, const Progress& progress) {
+    SoundRun sound{run(kind, study, options, progress), {}};
+    if (sound.run || progress.stopRequested()) return sound;
+    SoundPart part = soundPart(study);
+    if (part.leftOut.empty()) return sound;
+    sound.leftOut = std::move(part.leftOut);
+    Outcome<RunResult> done = run(kind, part.study, options, progress);
+    Diagnostics said = done.diagnostics();
+    said.insert(said.end(), part.remarks.begin(), part.remarks.end());
+    if (done) {
+        done->completed = withLeftOut(std::move(done->completed), study, sound.leftOut);
+        if (done->proposed) done->proposed = withLeftOut(std::move(*done->proposed), study, sound.leftOut);
+        sound.run = {std::move(*done), std::move(said)};
+    } else {
+        sound.run = std::move(said);
+    }
+    return sound;
 }
 
 constexpr int livePause = 200;  // [ms] between two views of a fit that runs
@@ -118,6 +147,7 @@ RunController::RunController(Document& document, QObject* parent) : QObject(pare
     connect(&document, &Document::experimentsChanged, this, soon);
     connect(&document, &Document::opened, this, [this] {
         run_.drop();
+        document_.setLeftOut({});
         leaveEffect();
         isOpened_ = true;
         if (!document_.isResultStale()) document_.setRunMessages(messagesOf(*document_.result()));
@@ -144,10 +174,12 @@ void RunController::start(RunKind kind, const RunOptions& options) {
     const Study study = document_.study();
     const unsigned long revision = revision_ = document_.revision();
     clock_.start();
-    run_.start<Outcome<RunResult>>(
-        runName(kind), [kind, study, options](const Progress& progress) { return run(kind, study, options, progress); },
-        [this, kind, study, revision](Outcome<RunResult> outcome) {
-            conclude(kind, study, revision, std::move(outcome));
+    run_.start<SoundRun>(
+        runName(kind),
+        [kind, study, options](const Progress& progress) { return runSound(kind, study, options, progress); },
+        [this, kind, study, revision](SoundRun sound) {
+            if (revision == document_.revision()) document_.setLeftOut(std::move(sound.leftOut));
+            conclude(kind, study, revision, std::move(sound.run));
         });
 }
 
@@ -170,8 +202,8 @@ void RunController::simulateBest() {
          best = std::exchange(best_, {})](const Progress& progress) {
             Watched watched{simulator, {}};
             if (!watched.simulator)
-                watched.simulator =
-                    std::make_shared<const Outcome<TraceSimulator>>(TraceSimulator::make(study, options));
+                watched.simulator = std::make_shared<const Outcome<TraceSimulator>>(
+                    TraceSimulator::make(soundPart(study).study, options));
             if (*watched.simulator) watched.traces = (*watched.simulator)->at(best, progress);
             return watched;
         },
@@ -222,7 +254,7 @@ void RunController::previewEffect() {
     look_.start<Look>(
         tr("Simulation"),
         [look = *wanted_, study = document_.study(), options = options_](const Progress& progress) mutable {
-            const Outcome<EstimationTask> task = taskOf(study, options);
+            const Outcome<EstimationTask> task = taskOf(soundPart(study).study, options);
             if (!task) return look;
             if (const Outcome<ModelState> state = stateWith(*task, look.choice, options.discover.fit, progress))
                 look.traces = tracesOf(*state);
@@ -294,6 +326,7 @@ bool RunController::hasNewRecordings() const {
     const std::shared_ptr<const ModelState> shown = document_.before() ? document_.before() : document_.measured();
     const std::vector<StudyExperiment>& recorded = document_.study().experiments;
     return std::any_of(recorded.begin(), recorded.end(), [&](const StudyExperiment& e) {
+        if (shown && document_.leftOut(e.name)) return false;
         return !shown || std::none_of(shown->experiments.begin(), shown->experiments.end(),
                                       [&](const ExperimentState& s) { return s.name == e.name; });
     });
@@ -310,16 +343,16 @@ void RunController::showMeasured() {
 
 void RunController::simulateAsItStands() {
     struct Seen {
-        Outcome<RunResult> run;
+        SoundRun sound;
         std::vector<ExperimentState> measured;  // when nothing could be simulated, or not to its end
 
-        static Seen failed(const Diagnostic& fault) { return {fault, {}}; }
+        static Seen failed(const Diagnostic& fault) { return {SoundRun::failed(fault), {}}; }
     };
     preview_.start<Seen>(
         tr("Simulation"),
         [study = document_.study(), options = options_](const Progress& progress) {
-            Seen seen{runSimulate(study, options, progress), {}};
-            if (!seen.run || progress.stopRequested()) seen.measured = measuredExperiments(study);
+            Seen seen{runSound(RunKind::Simulate, study, options, progress), {}};
+            if (!seen.sound.run || progress.stopRequested()) seen.measured = measuredExperiments(study);
             return seen;
         },
         [this](Seen seen) {
@@ -328,9 +361,11 @@ void RunController::simulateAsItStands() {
                 return Q_EMIT concluded(tr("%1 stopped.").arg(runName(RunKind::Simulate)));
             }
             // What the analysis says of the model is told already.
-            const bool isTold = !seen.run && (document_.modelError() || !document_.definition());
-            document_.setCheckMessages(isTold ? Diagnostics() : seen.run.diagnostics());
-            if (seen.run) return document_.setSimulated(std::move(seen.run->finding.baseline));
+            Outcome<RunResult>& run = seen.sound.run;
+            const bool isTold = !run && (document_.modelError() || !document_.definition());
+            document_.setLeftOut(std::move(seen.sound.leftOut));
+            document_.setCheckMessages(isTold ? Diagnostics() : run.diagnostics());
+            if (run) return document_.setSimulated(std::move(run->finding.baseline));
             document_.setMeasured(std::move(seen.measured));
         });
 }

@@ -25,6 +25,7 @@
 #include "ui/measurement/mapping.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
+#include "ui/words/words.hpp"
 
 namespace analogon::ui {
 
@@ -273,6 +274,7 @@ MeasurementPanel::MeasurementPanel(Document& document, QWidget* parent)
     pages_->addWidget(tree_);
     for (auto signal : {&Document::opened, &Document::experimentsChanged, &Document::factsChanged})
         connect(&document, signal, this, &MeasurementPanel::refresh);
+    connect(&document, &Document::leftOutChanged, this, &MeasurementPanel::markLeftOut);
     connect(import_, &QToolButton::clicked, this, &MeasurementPanel::browseWanted);
     connect(propose_, &QToolButton::clicked, this, &MeasurementPanel::propose);
     connect(tree_, &QWidget::customContextMenuRequested, this, &MeasurementPanel::showMenu);
@@ -517,6 +519,19 @@ void MeasurementPanel::measureExtents() {
         });
 }
 
+void MeasurementPanel::markLeftOut() {
+    for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
+        QTreeWidgetItem* const top = tree_->topLevelItem(i);
+        const FaultyRecording* const faulty = document_.leftOut(top->data(0, experimentRole).toString().toStdString());
+        QStringList why;
+        for (const Diagnostic& said : faulty ? faulty->why : Diagnostics())
+            if (said.severity == Severity::Error) why << inWords(said.message);
+        top->setIcon(0, style::icon(faulty ? "warning" : "recording"));
+        top->setForeground(0, faulty ? QBrush(style::caution(palette())) : QBrush());
+        top->setToolTip(0, faulty ? tr("Left out until this is mended:") + "\n" + why.join('\n') : QString());
+    }
+}
+
 void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
     const std::shared_ptr<const Table> whole = fileTable(document_.study().tables, experiment);
     const Table* const table = whole.get();
@@ -602,6 +617,7 @@ void MeasurementPanel::refresh() {
     propose_->setEnabled(isOpen && !document_.study().experiments.empty());
     if (isOpen)
         for (const StudyExperiment& experiment : document_.study().experiments) addExperiment(experiment);
+    markLeftOut();
     measureExtents();
     // few loggers have one: the names of columns need the room
     const auto& experiments = document_.study().experiments;

@@ -67,6 +67,8 @@ private:
     enum TreeColumn { Model, Source, Clock, ColumnCount };
     void refresh();
     void addExperiment(const StudyExperiment& experiment);
+    /// A recording with a fault is told from those that are used, and why it is not is said where one points.
+    void markLeftOut();
     void addSpares(QTreeWidgetItem* top, const Table& file, const std::set<QString>& used);
     void measureExtents();
     static void showExtent(QTreeWidgetItem* info, const Extent& extent);
