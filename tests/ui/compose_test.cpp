@@ -279,13 +279,13 @@ protected:
         pick("open-dialog", file, byKeys);
         ASSERT_TRUE(QTest::qWaitFor(
             [&] {
-                return !document().isReading() && document().path() == file && !document().finding() &&
-                       document().before();
+                return !document().isReading() && document().path() == file && document().finding() &&
+                       document().after();
             },
             20000));
         EXPECT_EQ(document().modelText(), completed);
         std::vector<double> reopened;
-        for (const ExperimentState& e : document().before()->experiments) reopened.push_back(e.errorPercent);
+        for (const ExperimentState& e : document().after()->experiments) reopened.push_back(e.errorPercent);
         EXPECT_EQ(reopened, errors) << "to the last digit";
     }
     std::string messages() {

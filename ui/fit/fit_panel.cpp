@@ -190,6 +190,7 @@ void FitPanel::createParts() {
     parts->setChildrenCollapsible(false);
     for (QWidget* part : std::initializer_list<QWidget*>{options_, runs, comparison_}) parts->addWidget(part);
     for (const int part : {1, 2}) parts->setStretchFactor(part, part + 1);
+    parts->setMinimumHeight(20 * style::unit);  // on a small screen a part makes way before the window grows
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(style::margin, style::margin, style::margin, style::margin);
     layout->addWidget(parts);
