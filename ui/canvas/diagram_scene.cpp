@@ -237,8 +237,20 @@ DiagramSelection DiagramScene::selection() const {
 void DiagramScene::noteOrder() { order_ = selection().blocks; }
 
 void DiagramScene::select(const std::string& name) {
-    clearSelection();
-    if (BlockItem* item = block(name)) item->setSelected(true);
+    setSelection(block(name) ? DiagramSelection{{name}, {}} : DiagramSelection{});
+}
+
+void DiagramScene::toggle(const DiagramSelection& part) {
+    const auto toggled = [](auto now, const auto& these) {
+        for (const auto& one : these)
+            if (const auto found = std::find(now.begin(), now.end(), one); found != now.end())
+                now.erase(found);
+            else
+                now.push_back(one);
+        return now;
+    };
+    const DiagramSelection now = selection();
+    setSelection({toggled(now.blocks, part.blocks), toggled(now.wires, part.wires)});
 }
 
 void DiagramScene::setSelection(const DiagramSelection& wanted) {

@@ -34,7 +34,10 @@ public:
     QString selectedBlock() const;
     DiagramSelection selection() const;
     void select(const std::string& block);
+    /// Tells of the change once no item is at it any more: who hears of it may have the diagram drawn anew.
     void setSelection(const DiagramSelection& selection);
+    /// What is selected of `part` no longer is, and the rest of it is.
+    void toggle(const DiagramSelection& part);
     /// All blocks that lie in a rectangle, and wires that do.
     void selectIn(const QRectF& rect, const DiagramSelection& also);
     const std::vector<WireItem*>& wires() const { return wires_; }

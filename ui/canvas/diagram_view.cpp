@@ -186,8 +186,9 @@ void DiagramView::mousePressEvent(QMouseEvent* event) {
         gesture_ = makeMoveGesture(*this, event);
     } else if (QGraphicsItem* item = itemAt(event->pos()); item && item->type() == WireItem::Type) {
         const bool adds = event->modifiers() & (Qt::ShiftModifier | Qt::ControlModifier);
-        if (!adds) scene_.clearSelection();
-        item->setSelected(!adds || !item->isSelected());
+        const Wire& wire = static_cast<const WireItem*>(item)->wire();
+        const DiagramSelection clicked{{}, {{wire.from, wire.to}}};
+        adds ? scene_.toggle(clicked) : scene_.setSelection(clicked);
     } else {
         gesture_ = makeBandGesture(*this, event);
     }

@@ -20,7 +20,7 @@ public:
         name_ = item->block().name;
         wasSelected_ = item->isSelected();
         if (adds)
-            item->setSelected(!wasSelected_);
+            view.scene()->toggle({{name_}, {}});
         else if (!wasSelected_)
             view.scene()->select(name_);
         adds_ = adds;
