@@ -10,6 +10,10 @@
 
 namespace analogon::bench {
 
+Signal constant(double value) {
+    return [value](double) { return value; };
+}
+
 const std::vector<double>& Recording::operator[](const std::string& output) const {
     static const std::vector<double> nothing(1, std::numeric_limits<double>::quiet_NaN());
     const auto at = std::find(names.begin(), names.end(), output);

@@ -12,6 +12,7 @@ namespace analogon::bench {
 
 /// An input of the bench as a function of time; between the samples it runs linearly.
 using Signal = std::function<double(double time)>;
+Signal constant(double value);
 
 struct Recording {
     std::vector<double> time;

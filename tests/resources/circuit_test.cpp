@@ -9,10 +9,6 @@
 namespace analogon::bench {
 namespace {
 
-Signal constant(double value) {
-    return [value](double) { return value; };
-}
-
 /// A supply, what lies between it and a load, and the load to ground; V is the voltage, or the current, of the supply.
 Recording circuit(const std::string& supply, const std::string& between, const std::string& load, double duration,
                   double value, const std::string& further = "", const std::string& equations = "") {

@@ -42,10 +42,6 @@ equation
     return run(declarations + equations, duration, 201, {torque});
 }
 
-Signal constant(double value) {
-    return [value](double) { return value; };
-}
-
 TEST(CoulombFriction, TakesAConstantTorqueFromTheMotion) {
     const Recording r = shaftWith("CoulombFriction", "tau_c=0.05, w_eps=1e-4", 2, constant(0.2));
     ASSERT_EQ(r.fault, "");

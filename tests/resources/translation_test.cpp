@@ -9,10 +9,6 @@
 namespace analogon::bench {
 namespace {
 
-Signal constant(double value) {
-    return [value](double) { return value; };
-}
-
 /// A mass of 0.5 kg that a force drives, with a component on its rod.
 Recording rodWith(const std::string& component, double duration, double force, const std::string& damper = "") {
     std::string declarations = R"(

@@ -188,7 +188,10 @@ void DiagramView::mousePressEvent(QMouseEvent* event) {
         const bool adds = event->modifiers() & (Qt::ShiftModifier | Qt::ControlModifier);
         const Wire& wire = static_cast<const WireItem*>(item)->wire();
         const DiagramSelection clicked{{}, {{wire.from, wire.to}}};
-        adds ? scene_.toggle(clicked) : scene_.setSelection(clicked);
+        if (adds)
+            scene_.toggle(clicked);
+        else
+            scene_.setSelection(clicked);
     } else {
         gesture_ = makeBandGesture(*this, event);
     }

@@ -28,7 +28,7 @@ namespace {
 
 enum CandidateColumn { What, Where, Screening, DeltaBic, Judgement, Trial };
 /// Of a row; the first is the kind, the place to point at, the class and the place, from the left.
-enum CandidateRole { KindRole = Qt::UserRole, NumberRole, RoundRole, RankRole };
+enum CandidateRole { KindRole = Qt::UserRole, RoundRole, RankRole };
 
 /// An equation without a name is only proposed: there is no block to try.
 bool canBeTried(const QTreeWidgetItem* item) {
@@ -50,8 +50,6 @@ QTreeWidgetItem* ResultPanel::addCandidate(const CandidateResult& c) {
     item->setData(2, KindRole, text(c.className));
     item->setData(3, KindRole, text(c.at));
     item->setData(0, RoundRole, c.round);
-    item->setData(Screening, NumberRole, c.score);
-    if (c.deltaBic) item->setData(DeltaBic, NumberRole, *c.deltaBic);
     item->setToolTip(0, QStringList{item->text(0), text(c.kind), text(c.className)}.join('\n'));
     item->setToolTip(1, item->text(1));
     alignRight(item, {Screening, DeltaBic});

@@ -67,7 +67,6 @@ Knob::Knob(Document& document, QWidget* parent)
     slider_->setSingleStep(steps / 100);
     slider_->setPageStep(steps / 20);
     slider_->setFocusPolicy(Qt::StrongFocus);
-    slider_->installEventFilter(this);
     slider_->setToolTip(
         tr("Drag: the traces show what the parameter does. Arrows step; so does the wheel once the slider "
            "has the focus."));
@@ -175,14 +174,6 @@ void Knob::simulate() {
             }
             simulate();
         });
-}
-
-bool Knob::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == slider_ && event->type() == QEvent::Wheel && !slider_->hasFocus()) {
-        event->ignore();
-        return true;
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 }  // namespace analogon::ui

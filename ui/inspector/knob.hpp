@@ -49,9 +49,6 @@ public:
     /// Pictures shown since the program began.
     int pictures() const { return pictures_; }
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
     void refresh();
     void move();

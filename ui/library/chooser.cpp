@@ -110,16 +110,19 @@ void Chooser::filter() {
     const int textWidth = widthIn(parentWidget()->size()) - 2 * style::margin - list_->iconSize().width() -
                           style()->pixelMetric(QStyle::PM_ScrollBarExtent) - 6 * style::unit;
     const QStringList words = field_->text().split(' ', Qt::SkipEmptyParts);
+    const QString first = words.isEmpty() ? QString() : words.front();
+    std::vector<const Choice*> found;
+    for (const Choice& choice : choices_)
+        if (isFoundIn(QStringList{choice.text, choice.detail, choice.further}.join(u' '), field_->text()))
+            found.push_back(&choice);
     // Names that begin with what was typed first, then names that hold it, then descriptions and words that mean it.
     for (int rank = 0; rank < 3; ++rank)
-        for (const Choice& choice : choices_) {
-            const bool fits =
-                isFoundIn(QStringList{choice.text, choice.detail, choice.further}.join(u' '), field_->text());
-            const QString first = words.isEmpty() ? QString() : words.front();
+        for (const Choice* one : found) {
+            const Choice& choice = *one;
             const int own = choice.text.startsWith(first, Qt::CaseInsensitive) ? 0
                             : choice.text.contains(first, Qt::CaseInsensitive) ? 1
                                                                                : 2;
-            if (!fits || own != rank) continue;
+            if (own != rank) continue;
             const QString text = choice.detail.isEmpty() ? choice.text : choice.text + "  –  " + choice.detail;
             auto* item = new QListWidgetItem(choice.icon, text, list_);
             item->setData(Qt::UserRole, choice.key);

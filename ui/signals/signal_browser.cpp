@@ -28,7 +28,6 @@ SignalBrowser::SignalBrowser(Document& document, QWidget* parent)
     recording_ = new QComboBox;
     recording_->setObjectName("signal-recording");
     recording_->setFocusPolicy(Qt::StrongFocus);
-    recording_->installEventFilter(this);
     recording_->setToolTip(tr("Variables of the model are simulated over this recording"));
     recording_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     tree_ = new QTreeView;
@@ -162,12 +161,8 @@ void SignalBrowser::addFormula() {
     Q_EMIT wanted({{SignalKind::Derived, recording_->currentText(), text}});
 }
 
-/// Enter and the arrows go from the search to the list; a wheel turns nothing that has no focus.
+/// Enter and the arrows go from the search to the list.
 bool SignalBrowser::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Wheel && watched == recording_ && !recording_->hasFocus()) {
-        event->ignore();
-        return true;
-    }
     if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
     const int key = static_cast<QKeyEvent*>(event)->key();
     const bool isEnter = key == Qt::Key_Return || key == Qt::Key_Enter;

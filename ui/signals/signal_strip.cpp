@@ -63,7 +63,6 @@ SignalStrip::SignalStrip(QWidget* parent)
     views_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     views_->setMinimumContentsLength(5);
     views_->setFocusPolicy(Qt::StrongFocus);
-    views_->installEventFilter(this);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, style::unit, 0, 0);
     column->setSpacing(0);
@@ -108,14 +107,6 @@ void SignalStrip::setTimeRange(double from, double to) {
 
 void SignalStrip::showFigure() {
     if (view_ != PlotView::Time) figure_->want(view_, chart_->lines(), from_, to_);
-}
-
-/// A wheel turns nothing that has no focus.
-bool SignalStrip::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() != QEvent::Wheel || watched != views_ || views_->hasFocus())
-        return QWidget::eventFilter(watched, event);
-    event->ignore();
-    return true;
 }
 
 void SignalStrip::setTimeLabels(bool isFirst, bool isLast) {
