@@ -109,8 +109,9 @@ TEST_F(Arrangements, WhatWasTriedIsFilteredAndGrouped) {
     ASSERT_TRUE(results->roundBox()->isChecked());
     int grouped = 0;
     for (int i = 0; i < list->topLevelItemCount(); ++i) {
-        EXPECT_EQ(list->topLevelItem(i)->text(0),
-                  QStringLiteral("Round %1").arg(list->topLevelItem(i)->child(0)->data(0, Qt::UserRole + 2).toInt()));
+        EXPECT_EQ(
+            list->topLevelItem(i)->text(0),
+            QStringLiteral("Round %1").arg(list->topLevelItem(i)->child(0)->data(0, ResultPanel::RoundRole).toInt()));
         grouped += list->topLevelItem(i)->childCount();
     }
     EXPECT_EQ(grouped, all);

@@ -27,12 +27,10 @@ namespace analogon::ui {
 namespace {
 
 enum CandidateColumn { What, Where, Screening, DeltaBic, Judgement, Trial };
-/// Of a row; the first is the kind, the place to point at, the class and the place, from the left.
-enum CandidateRole { KindRole = Qt::UserRole, RoundRole, RankRole };
 
 /// An equation without a name is only proposed: there is no block to try.
 bool canBeTried(const QTreeWidgetItem* item) {
-    const QString kind = item ? item->data(0, KindRole).toString() : QString();
+    const QString kind = item ? item->data(0, ResultPanel::KindRole).toString() : QString();
     return !kind.isEmpty() && !kind.startsWith("proposal.");
 }
 

@@ -79,11 +79,11 @@ void ResultPanel::addHeading(const QString& content) {
 
 /// The row under the pointer, else the marked one: its place in the diagram, and what it would bring.
 void ResultPanel::lookAt(const QTreeWidgetItem* candidate) {
-    if (candidate && candidate->data(2, Qt::UserRole).isNull()) candidate = nullptr;  // the heading of a round
-    Q_EMIT placePointedAt(candidate ? candidate->data(1, Qt::UserRole).toString() : QString());
+    if (candidate && candidate->data(2, KindRole).isNull()) candidate = nullptr;  // the heading of a round
+    Q_EMIT placePointedAt(candidate ? candidate->data(1, KindRole).toString() : QString());
     if (!candidate || document_.isResultStale()) return Q_EMIT effectLeft();
-    const EffectChoice choice{candidate->data(2, Qt::UserRole).toString().toStdString(),
-                              candidate->data(3, Qt::UserRole).toString().toStdString()};
+    const EffectChoice choice{candidate->data(2, KindRole).toString().toStdString(),
+                              candidate->data(3, KindRole).toString().toStdString()};
     Q_EMIT effectLookedAt(choice, candidate->text(0));
 }
 

@@ -35,6 +35,9 @@ public:
     explicit ResultPanel(Document& document, QWidget* parent = nullptr);
 
     QString headline() const;
+    /// Of a row of the candidates; the first is the kind, the place to point at, the class and the place, from the
+    /// left.
+    enum CandidateRole { KindRole = Qt::UserRole, RoundRole, RankRole };
     QTreeWidget* candidates() const { return candidates_; }  // null: none
     QTreeWidget* comparison() const { return comparison_; }
     QPushButton* tryButton() const { return try_; }         // null: no candidates
