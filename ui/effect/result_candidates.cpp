@@ -178,8 +178,10 @@ void ResultPanel::addCandidates(const Finding& finding) {
     for (const int c : {Screening, DeltaBic}) head->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
     QHeaderView* header = candidates_->header();
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
-    header->setSectionResizeMode(What, QHeaderView::Stretch);
-    style::wrapColumn(candidates_, What);  // the ends of two names may be all that tells them apart
+    for (const int c : {What, Where}) {  // they share what the figures leave: none is pushed out of sight
+        header->setSectionResizeMode(c, QHeaderView::Stretch);
+        style::wrapColumn(candidates_, c);  // the ends of two names may be all that tells them apart
+    }
     connect(header, &QHeaderView::sectionResized, candidates_,
             [list = candidates_] { QTimer::singleShot(0, list, [list] { fitTableHeight(list); }); });
     candidates_->setMouseTracking(true);
