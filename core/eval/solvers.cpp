@@ -5,6 +5,7 @@
 #include "core/base/stop.hpp"
 #include "core/eval/machine.hpp"
 #include "core/eval/program_code.hpp"
+#include "core/eval/rank_deficient.hpp"
 
 namespace analogon {
 
@@ -313,6 +314,22 @@ void moveOne(const NonlinearBlock& block, Registers& r, int mode) {
     for (std::size_t k = 0; k < lanes; ++k) to[k] = moves ? inverse * d[k] : 0;
 }
 
+/// Equations that repeat each other: the smallest solution, where whoever simulates takes one.
+bool solveRepeating(const LinearBlock& block, Registers& r) {
+    UndecidedScope* const scope = UndecidedScope::inForce();
+    if (!scope) return false;
+    const auto n = block.unknowns.size();
+    for (std::size_t i = 0; i < n * n; ++i) r.matrix[i] = r.values[block.matrix[i]];
+    for (std::size_t i = 0; i < n; ++i) r.vector[i] = -r.values[block.constant[i]];
+    const auto solution = solveRankDeficient({r.matrix.data(), n * n}, {r.vector.data(), n}, scope->shift);
+    if (!solution) return false;
+    for (std::size_t i = 0; i < n; ++i) {
+        r.values[block.unknowns[i]] = solution->values[i];
+        if (solution->isUndecided[i]) scope->names.insert(block.names[i]);
+    }
+    return true;
+}
+
 }  // namespace
 
 bool solveLinear(const LinearBlock& block, Registers& r, int mode) {
@@ -320,6 +337,7 @@ bool solveLinear(const LinearBlock& block, Registers& r, int mode) {
     reserveScratch(r, n);
     for (std::size_t i = 0; i < n * n; ++i) r.matrix[i] = r.values[block.matrix[i]];
     if (!factorise({r.matrix.data(), n * n}, {r.pivots.data(), n}, {r.scale.data(), n})) {
+        if (mode < 0 && solveRepeating(block, r)) return true;
         fail(r, block.names.front());
         return false;
     }

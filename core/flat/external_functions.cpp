@@ -37,6 +37,7 @@ public:
         if (name.starts_with(tables)) return table(name.substr(tables.size()));
         if (name.starts_with("ModelicaStrings_")) return strings(name.substr(16));
         if (name.starts_with("ModelicaRandom_")) return random(name.substr(15));
+        if (name == "ModelicaInternal_print") return print();
         return refuse(phrase("the external function '{}' is not known", name));
     }
 
@@ -240,6 +241,17 @@ private:
         const auto nameOf = [&](std::size_t i) { return external_.arguments[i].name.parts.front().identifier; };
         return work_.translator->setLocal(nameOf(1), std::move(next)) &&
                work_.translator->setLocal(nameOf(2), Value::scalar(FlatType::Real, step.number));
+    }
+
+    /// `print(string, fileName)`: told once, when the model is read. A file is never written.
+    bool print() {
+        const auto message = text(0), file = text(1);
+        if (!message || message->empty()) return true;
+        const bool isFile = file && !file->empty();
+        work_.messages.warning(isFile ? phrase("the model prints to '{}', which is not written: {}", *file, *message)
+                                      : phrase("the model prints: {}", *message),
+                               call_.span);
+        return true;
     }
 
     // --------------------------------------------------------------------------------------------------- strings

@@ -277,10 +277,12 @@ private:
                 total = combine(work_, "+", *total, array->part(k), call_.span);
             return total;
         }
-        if (!array->isNumeric() || array->isScalar())
+        const bool isExtremum = operation == Operation::Min || operation == Operation::Max;
+        const bool isOrdered = array->isNumeric() || (isExtremum && array->type == FlatType::Boolean);  // false < true
+        if (!isOrdered || array->isScalar())
             return fail(phrase("'{}' needs an array of numbers, not {}", name_, typeText(*array)),
                         call_.operands[0].span);
-        const bool isExtremum = operation == Operation::Min || operation == Operation::Max;
+        if (array->type == FlatType::Boolean) operation = operation == Operation::Min ? Operation::And : Operation::Or;
         if (array->elements.empty() && isExtremum) return fail(phrase("'{}' of an empty array", name_));
         ExpressionId result = isExtremum ? array->elements[0] : pool_.constant(operation == Operation::Add ? 0 : 1);
         for (ExpressionId element : array->elements) result = pool_.binary(operation, result, element);

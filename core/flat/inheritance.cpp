@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "core/flat/class_rules.hpp"
 #include "core/flat/instantiator.hpp"
@@ -41,6 +42,25 @@ bool sameText(std::string_view a, std::string_view b) {
         return kept;
     };
     return a == b || bare(a) == bare(b);
+}
+
+bool sameText(const std::optional<syntax::Expression>& a, const std::optional<syntax::Expression>& b) {
+    return a.has_value() == b.has_value() && (!a || sameText(a->span.text(), b->span.text()));
+}
+
+/// Whether two declarations of one name say the same: descriptions and annotations may differ (section 7.1.3).
+bool isSameDeclaration(const syntax::Component& a, const syntax::Component& b) {
+    const auto prefixes = [](const syntax::Component& c) {
+        return std::tuple(c.variability, c.causality, c.isFlow, c.isStream, c.isProtected, c.isFinal, c.isReplaceable,
+                          c.isInner, c.isOuter);
+    };
+    const auto sameSizes = [](const syntax::Expression& x, const syntax::Expression& y) {
+        return sameText(x.span.text(), y.span.text());
+    };
+    return prefixes(a) == prefixes(b) && a.type.text() == b.type.text() &&
+           std::equal(a.dimensions.begin(), a.dimensions.end(), b.dimensions.begin(), b.dimensions.end(), sameSizes) &&
+           sameText(a.modificationsSpan.text(), b.modificationsSpan.text()) && sameText(a.binding, b.binding) &&
+           sameText(a.condition, b.condition);
 }
 
 std::string qualifiedOrEmpty(const LibraryClass* definition) { return definition ? definition->qualifiedName : ""; }
@@ -301,7 +321,7 @@ void Instantiator::replaceElement(Instance& instance, Element& existing, Element
                              component.nameSpan, phrase("rename or remove one of the two declarations"));
         return;
     }
-    if (known.span.text() == component.span.text() && known.type.text() == component.type.text()) return;
+    if (isSameDeclaration(known, component)) return;
     work_.messages.error(phrase("'{}' is declared in '{}' and, differently, in '{}'", component.name,
                                 existing.owner->qualifiedName, element.owner->qualifiedName),
                          component.nameSpan, phrase("rename it, or declare it 'redeclare'"));

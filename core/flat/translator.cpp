@@ -321,6 +321,11 @@ std::optional<Value> Translator::selected(const Expression& expression, const Sc
 
 /// `[a, b; c, d]`: parts side by side in a row, rows below each other (section 10.4.2.1). A vector is a column.
 std::optional<Value> Translator::matrix(const Expression& expression, const Scope& scope) {
+    if (expression.operands.size() == 1 && expression.operands[0].operands.size() == 1) {
+        auto only = translate(expression.operands[0].operands[0], scope);  // an array of any rank is itself
+        while (only && only->dimensions.size() < 2) only->dimensions.push_back(1);
+        return only;
+    }
     std::vector<Value> rows;
     for (const Expression& row : expression.operands) {
         std::vector<Value> parts;

@@ -13,6 +13,7 @@
 #include <unordered_map>
 
 #include "core/base/stopwatch.hpp"
+#include "core/eval/rank_deficient.hpp"
 #include "core/simulate/sundials_owner.hpp"
 
 namespace analogon {
@@ -74,17 +75,19 @@ public:
         time_ = options_.start;
         if (!initialise()) return faults_;
         if (!setUp()) return fail(phrase("the integrator could not be set up"));
+        if (!areRatesDecided()) return faults_;
         const double interval = rowInterval();
         grid_ = 1;
         if (isTerminated_) return std::move(result_);
         while (time_ < options_.stop) {
             if (!advance(interval)) return faults_;
-            if (isTerminated_) return std::move(result_);
+            if (isTerminated_) break;
         }
-        if (model_.terminal >= 0) {
+        if (!isTerminated_ && model_.terminal >= 0) {
             slots_[static_cast<std::size_t>(model_.terminal)] = 1;
             if (!event({})) return faults_;
         }
+        tellUndecided();
         return std::move(result_);
     }
 
@@ -95,6 +98,32 @@ private:
         const double whole = options_.stop - options_.start;
         if (!(options_.interval > 0)) return whole / fewest;
         return options_.interval / std::max(1.0, std::ceil(fewest * options_.interval / whole));
+    }
+
+    /// Whatever the equations leave open must not reach the states: there it would decide how the model moves.
+    bool areRatesDecided() {
+        if (undecided_.names.empty() || n_ == 0) return true;
+        if (!takeSlots()) return hasNoValue(system_.failure(workspace_));
+        std::vector<double> smallest(n_), other(n_);
+        if (!system_.derivatives(workspace_, time_, {x_.data(), n_}, u_, smallest))
+            return hasNoValue(system_.failure(workspace_));
+        undecided_.shift = 1;
+        const bool isRound = system_.derivatives(workspace_, time_, {x_.data(), n_}, u_, other);
+        undecided_.shift = 0;
+        for (std::size_t i = 0; i < n_; ++i)
+            if (!isRound || std::fabs(other[i] - smallest[i]) > 1e-9 * (1 + std::fabs(smallest[i])))
+                return failed(phrase("the equations leave '{}' open, and '{}' depends on it", *undecided_.names.begin(),
+                                     system_.states()[i].name));
+        return true;
+    }
+
+    void tellUndecided() {
+        if (undecided_.names.empty()) return;
+        const std::vector<std::string> names(undecided_.names.begin(), undecided_.names.end());
+        result_.remarks.push_back(
+            warning(phrase("the equations leave {} open for a time, since they repeat each "
+                           "other: the smallest values are taken",
+                           fmt::format("'{}'", fmt::join(names, "', '")))));
     }
 
     Diagnostics fail(Text message, Text hint = {}) {
@@ -515,6 +544,7 @@ private:
             crowded_ = 0;
         }
         lastEvent_ = time_;
+        if (!areRatesDecided()) return false;
         return restart() || failed(phrase("the integrator could not restart"));
     }
 
@@ -554,6 +584,7 @@ private:
     std::size_t lastSwitched_{};  // relation
     std::vector<int> pending_;    // samples that come true at this event
     std::set<std::size_t> warned_;
+    UndecidedScope undecided_;
     EventTrajectory result_;
     Diagnostics faults_;
     double time_{}, lastEvent_{-never};

@@ -52,6 +52,9 @@ ExpressionId Rewriter::rebuild(ExpressionId in) {
             const ExpressionId a = (*this)(node.a);
             if (!node.b.valid()) return a == node.a ? in : pool_.unary(node.operation, a);
             const ExpressionId b = (*this)(node.b);
+            // A numerator that has turned out to be 0, as a factor that has: what it multiplies is not in the model.
+            if (node.operation == Operation::Divide && a != node.a && pool_.isConstant(a, 0) && !pool_.isConstant(b))
+                return a;
             return a == node.a && b == node.b ? in : pool_.binary(node.operation, a, b);
         }
     }

@@ -10274,6 +10274,22 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>reinit auf eine Variable anwenden, die abgeleitet wird und die keine Gleichung an einen anderen Zustand bindet</translation>
     </message>
     <message>
+        <source>the equations leave '{}' open, and '{}' depends on it</source>
+        <translation>die Gleichungen lassen '{}' offen, und '{}' hängt davon ab</translation>
+    </message>
+    <message>
+        <source>the equations leave {} open for a time, since they repeat each other: the smallest values are taken</source>
+        <translation>die Gleichungen lassen {} zeitweise offen, weil sie einander wiederholen: die kleinsten Werte werden genommen</translation>
+    </message>
+    <message>
+        <source>the model prints to '{}', which is not written: {}</source>
+        <translation>das Modell gibt nach '{}' aus, was nicht geschrieben wird: {}</translation>
+    </message>
+    <message>
+        <source>the model prints: {}</source>
+        <translation>das Modell gibt aus: {}</translation>
+    </message>
+    <message>
         <source>the event finds no end: '{}' keeps switching</source>
         <translation>das Ereignis findet kein Ende: '{}' schaltet weiter</translation>
     </message>

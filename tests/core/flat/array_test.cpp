@@ -159,5 +159,23 @@ TEST(Arrays, ASizeMaySpeakOfTheSizesBeforeIt) {
                 ElementsAre(HasSubstr("the size or condition of 'A' depends on itself")));
 }
 
+TEST(Arrays, TheLeastAndTheGreatestOfBooleansIsWhetherAllAndWhetherAnyIsTrue) {
+    const FlatModel m = flatOf(R"(
+        model M Real x; Boolean b[2] = {x > 1, x > 2}; Boolean all = min(b), any = max(b);
+        parameter Boolean none = max({false, false}); equation x = time; end M;)");
+    EXPECT_THAT(equations(m), Contains("all = b[1] and b[2]"));
+    EXPECT_THAT(equations(m), Contains("any = b[1] or b[2]"));
+    EXPECT_EQ(valueOf(m, "none"), 0);
+    EXPECT_THAT(faultsOf("model M Real x = sum({true, false}); end M;"),
+                Contains(HasSubstr("'sum' needs an array of numbers, not Boolean[2]")));
+}
+
+TEST(Arrays, AnArrayInBracketsByItselfKeepsItsDimensions) {
+    const FlatModel m =
+        flatOf("model M parameter Real a[2, 1, 2] = [{{{1, 2}}, {{3, 4}}}], b[2, 1] = [{5, 6}]; end M;");
+    EXPECT_EQ(valueOf(m, "a[2,1,1]"), 3);
+    EXPECT_EQ(valueOf(m, "b[2,1]"), 6);
+}
+
 }  // namespace
 }  // namespace analogon

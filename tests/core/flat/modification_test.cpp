@@ -116,10 +116,22 @@ TEST(Redeclaration, AShortClassMayUseParametersOfItsModel) {
     EXPECT_EQ(valueOf(m, "r.J"), 4);
 }
 
+TEST(Inheritance, DeclarationsThatDifferInTheirWordsAloneAreOne) {
+    const FlatModel m = flatOf(R"(
+        partial model A parameter Real k = 1 "gain"; Real x(start = 2) "position" annotation(Dialog(tab = "a")); end A;
+        model M extends A; parameter Real k=1; Real x(start=2) "where it is"; equation x = k*time; end M;)");
+    EXPECT_EQ(m.variables.size(), 2u);
+    EXPECT_EQ(m.equations.size(), 1u);
+}
+
 TEST(Inheritance, DifferentDeclarationsOfOneNameAreRefused) {
     EXPECT_THAT(faultsOf(R"(
         partial model A Real x = 1; end A;
         model M extends A; parameter Real x = 2; end M;)"),
+                ElementsAre(HasSubstr("'x' is declared in 'A' and, differently, in 'M'")));
+    EXPECT_THAT(faultsOf(R"(
+        partial model A Real x(start = 1); end A;
+        model M extends A; Real x(start = 2) "where it is"; equation x = time; end M;)"),
                 ElementsAre(HasSubstr("'x' is declared in 'A' and, differently, in 'M'")));
     // The same declaration through two paths is one.
     EXPECT_EQ(flatOf(R"(

@@ -350,6 +350,35 @@ TEST(EventRun, RandomNumbersAreDrawnAtSamples) {
     }
 }
 
+/// A shaft that two brakes hold for half a second. What each of them takes is open meanwhile.
+std::string twoBrakes(const std::string& second, const std::string& more = "") {
+    return "model M parameter Real J = 2; Real w(start = 0, fixed = true), a, f1, f2, y(start = 0, fixed = true); "
+           "Boolean isHeld = time < 0.5; equation der(w) = a; J*a = 3 - f1 - f2; 0 = if isHeld then a else f1; "
+           "0 = if isHeld then " +
+           second + " else f2; der(y) = " + (more.empty() ? "w" : more) + "; end M;";
+}
+
+TEST(EventRun, EquationsThatRepeatEachOtherTakeTheSmallestValues) {
+    const Simulated run = runOf(twoBrakes("2*a"), {"w", "f1", "f2"});
+    ASSERT_RAN(run);
+    EXPECT_NEAR(run.at(0.4, "f1") + run.at(0.4, "f2"), 3, 1e-12);
+    EXPECT_LE(std::fabs(run.at(0.4, "f1")), 3);
+    EXPECT_NEAR(run.at(0.4, "w"), 0, 1e-12);
+    EXPECT_NEAR(run.last("w"), 0.75, 1e-6);
+    ASSERT_EQ(run.trajectory.remarks.size(), 1u);
+    EXPECT_THAT(run.trajectory.remarks[0].message.english(),
+                HasSubstr("open for a time, since they repeat each other"));
+}
+
+TEST(EventRun, EquationsThatContradictEachOtherHaveNoSolution) {
+    EXPECT_THAT(format(runOf(twoBrakes("a - 1"), {"w"}).faults), HasSubstr("has no value"));
+}
+
+TEST(EventRun, WhatTheEquationsLeaveOpenMustNotMoveTheStates) {
+    EXPECT_THAT(format(runOf(twoBrakes("a", "f1"), {"w"}).faults),
+                HasSubstr("the equations leave 'f1' open, and 'y' depends on it"));
+}
+
 TEST(EventRun, WhatKeepsSwitchingIsNamed) {
     const Simulated run =
         runOf("model M Boolean b(start = false, fixed = true); equation b = not pre(b); end M;", {"b"});

@@ -412,6 +412,19 @@ TEST(Structure, NamesWhatMakesAnEquationImpossible) {
               "The equation der(x) = k*x cannot hold: 'k' is not a number.");
 }
 
+TEST(Structure, AParameterOf0TakesOutWhatItsQuotientsMultiply) {
+    // A transit time of 0 over a voltage that runs: the capacitance is 0, and v no state.
+    ModelBuilder m;
+    m.variables({"v", "u", "c"});
+    m.parameter("T", 0);
+    m.eq(m.v("u"), m.c(1) + m.v("v") * m.v("v"));
+    m.eq(m.v("c"), m.v("T") / m.v("u"));
+    m.eq(m.v("c") * m.der("v") + m.v("v") * m.v("v") * m.v("v"), m.c(8));
+    const Outcome<Structure> structure = analyse(m.model());
+    ASSERT_TRUE(structure) << format(structure.diagnostics());
+    EXPECT_TRUE(structure->states.empty());
+}
+
 TEST(Structure, AllowsWhatNeedNotBeEvaluated) {
     ModelBuilder m;
     m.variables({"x", "y", "z"});
