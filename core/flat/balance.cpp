@@ -59,6 +59,7 @@ void Balance::countUnknowns() {
         ++component.unknowns;
         const bool isFlow = work_.variable(id).isFlow && (&component != record.owner || element.type.isConnector);
         const bool isRead = work_.connections->isBusSignal(id) && !work_.connections->isDrivenWithin(id);
+        if (!work_.variable(id).isFlow && work_.connections->isSetWithin(id)) continue;
         const bool isOpenInput = (record.causality == syntax::Causality::Input || isRead) && !record.isProtected &&
                                  (!record.isBound || work_.connections->isConnectedInside(id));
         if (!isFlow && !isOpenInput) continue;

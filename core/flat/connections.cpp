@@ -165,6 +165,18 @@ bool Connections::isConnectedInside(VariableId id) const {
     return key < memberIndex_.size() && memberIndex_[key];
 }
 
+std::optional<int> Connections::cardinality(const std::string& connector) {
+    if (!isComplete_) return std::nullopt;
+    const auto known = ends_.find(connector);
+    if (known != ends_.end()) return known->second;
+    foundOpen_.insert(connector);
+    return 0;
+}
+
+bool Connections::isSetWithin(VariableId input) {
+    return foundOpen_.contains(connectorName(input)) && isSetByEquation(input);
+}
+
 std::uint32_t Connections::connectorSet(const Connector& connector) {
     const auto [entry, isNew] = connectorIndex_.try_emplace(connector.name, connectorSets_.size());
     if (isNew) {
@@ -182,6 +194,8 @@ void Connections::join(const Connector& a, bool aOutside, const Connector& b, bo
         const auto y = memberOf(b.variables[static_cast<std::size_t>(at)], bOutside, scope, span);
         sets_.join(x, y);
     }
+    ++ends_[a.name];
+    ++ends_[b.name];
     const auto x = connectorSet(a);
     connectorSets_.join(x, connectorSet(b));
 }
@@ -261,6 +275,21 @@ std::string Connections::connectorName(VariableId id) const {
     return isSignal ? work_.variable(id).name : record.owner->name;
 }
 
+/// The class whose unknowns a connection to this member decides: the one around its component, which an outer component
+/// has elsewhere than the connection.
+Instance* Connections::levelOf(const Member& member) const {
+    Instance* const around = work_.records[member.variable.value].owner->component().parent;
+    return member.isOutside || !around ? member.level : &around->component();
+}
+
+/// The first member on the outermost of the levels.
+const Connections::Member& Connections::outermostOf(const std::vector<std::uint32_t>& set) const {
+    const Member* outermost = &members_[set.front()];
+    for (std::uint32_t m : set)
+        if (levelOf(members_[m])->depth < levelOf(*outermost)->depth) outermost = &members_[m];
+    return *outermost;
+}
+
 /// A flow counts positive into the component: seen from within the component its sign turns.
 void Connections::flowEquation(const std::vector<std::uint32_t>& set) {
     ExpressionPool& pool = work_.pool;
@@ -271,7 +300,7 @@ void Connections::flowEquation(const std::vector<std::uint32_t>& set) {
     }
     const Member& first = members_[set.front()];
     work_.model.equations.push_back({sum, pool.constant(0), first.span, connectorName(first.variable), true});
-    ++first.level->equations;
+    ++levelOf(outermostOf(set))->equations;
 }
 
 std::string Connections::memberLabel(const Member& member) const {
@@ -304,14 +333,14 @@ void Connections::potentialEquations(const std::vector<std::uint32_t>& set) {
                              members_[set[0]].span, phrase("connect one of them to an output"));
         return;
     }
-    const Member& reference = source ? *source : members_[set.front()];
+    const Member& reference = source ? *source : outermostOf(set);
     const std::string name = connectorName(members_[set.front()].variable);
     for (std::uint32_t m : set) {
         const Member& member = members_[m];
         if (&member == &reference) continue;
         work_.model.equations.push_back(
             {work_.pool.variable(member.variable), work_.pool.variable(reference.variable), member.span, name, true});
-        ++reference.level->equations;
+        ++levelOf(member)->equations;
     }
 }
 
@@ -384,7 +413,8 @@ std::vector<bool> Connections::inputsInEquations() const {
             if (record.causality != syntax::Causality::Input) continue;
             const bool isConnector = record.owner->isConnector() || work_.elementOf(id).type.isConnector;
             const Instance* around = record.owner->component().parent;
-            if (isConnector && around && around->name == holder) held[id.value] = true;
+            const bool isOwn = record.owner->component().name == holder && foundOpen_.contains(connectorName(id));
+            if (isConnector && ((around && around->name == holder) || isOwn)) held[id.value] = true;
         }
     return held;
 }

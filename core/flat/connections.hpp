@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "core/flat/flattening.hpp"
@@ -36,6 +37,11 @@ public:
     /// The sets of whole connectors, for FlatModel::connections.
     void listSets();
     bool isConnectedInside(VariableId id) const;
+    /// In how many connections a connector stands. Nothing: not all of them were read yet.
+    std::optional<int> cardinality(const std::string& connector);
+    /// An input of a component that sets it itself, since cardinality() has told that nothing is connected to it.
+    bool isSetWithin(VariableId input);
+    void allAreRead() { isComplete_ = true; }
     /// A signal of an expandable connector (section 9.1.3). After addEquations(): whether what stands in the component
     /// that has the connector gives its value; else the component reads it, as an input.
     bool isBusSignal(VariableId id) const;
@@ -70,6 +76,8 @@ private:
     std::uint32_t memberOf(VariableId variable, bool isOutside, const Scope& scope, const Span& span);
     std::uint32_t connectorSet(const Connector& connector);
 
+    Instance* levelOf(const Member& member) const;
+    const Member& outermostOf(const std::vector<std::uint32_t>& set) const;
     void dropUnusedSignals();
     void flowEquation(const std::vector<std::uint32_t>& set);
     void potentialEquations(const std::vector<std::uint32_t>& set);
@@ -90,6 +98,9 @@ private:
     std::vector<std::pair<std::string, std::string>> connectors_;  // name, class
     std::unordered_map<std::string, std::uint32_t> connectorIndex_;
     DisjointSets connectorSets_;
+    std::unordered_map<std::string, int> ends_;  // by the connector's name
+    std::unordered_set<std::string> foundOpen_;  // connectors that cardinality() found without a connection
+    bool isComplete_{};
     std::optional<std::vector<bool>> isSet_;  // inputs that an equation of the class around their component holds
 };
 

@@ -15,24 +15,44 @@ namespace analogon {
 
 using Kind = syntax::Equation::Kind;
 
+namespace {
+
+bool holdsConnection(const syntax::Equation& equation) {
+    const auto holds = [](const std::vector<syntax::Equation>& body) {
+        return std::any_of(body.begin(), body.end(), holdsConnection);
+    };
+    return equation.kind == Kind::Connect || holds(equation.body) ||
+           std::any_of(equation.branches.begin(), equation.branches.end(),
+                       [&](const auto& branch) { return holds(branch.body); });
+}
+
+}  // namespace
+
 void Equations::translateAll() {
-    for (std::size_t c = 0; c < work_.components.size() && !work_.messages.full(); ++c) {
-        Instance& instance = *work_.components[c];
-        for (const Instance::Part& part : instance.parts) {
-            for (const auto& section : part.definition->algorithmSections) {
-                work_.events->refuse(section.isInitial ? phrase("initial algorithm sections are not supported")
-                                                       : phrase("algorithm sections are not supported"),
-                                     section.keyword, phrase("write the relations as equations"));
-                Executor(work_).section(section, {&instance, part.lexical});
-            }
-            for (const auto& section : part.definition->equationSections) {
-                found_.clear();
-                isInitial_ = section.isInitial;
-                translate(section.equations, {&instance, part.lexical});
-                auto& target = isInitial_ ? work_.model.initialEquations : work_.model.equations;
-                std::ranges::move(found_, std::back_inserter(target));
-                if (!isInitial_) instance.equations += static_cast<int>(found_.size());
-            }
+    for (const Pass pass : {Pass::Connections, Pass::Others}) {
+        pass_ = pass;
+        for (std::size_t c = 0; c < work_.components.size() && !work_.messages.full(); ++c)
+            translateSections(*work_.components[c]);
+        work_.connections->allAreRead();
+    }
+}
+
+void Equations::translateSections(Instance& instance) {
+    for (const Instance::Part& part : instance.parts) {
+        for (const auto& section : part.definition->algorithmSections) {
+            if (pass_ == Pass::Connections) break;
+            work_.events->refuse(section.isInitial ? phrase("initial algorithm sections are not supported")
+                                                   : phrase("algorithm sections are not supported"),
+                                 section.keyword, phrase("write the relations as equations"));
+            Executor(work_).section(section, {&instance, part.lexical});
+        }
+        for (const auto& section : part.definition->equationSections) {
+            found_.clear();
+            isInitial_ = section.isInitial;
+            translate(section.equations, {&instance, part.lexical});
+            auto& target = isInitial_ ? work_.model.initialEquations : work_.model.equations;
+            std::ranges::move(found_, std::back_inserter(target));
+            if (!isInitial_) instance.equations += static_cast<int>(found_.size());
         }
     }
 }
@@ -45,6 +65,7 @@ void Equations::translate(const List& equations, const Scope& scope) {
 }
 
 void Equations::translate(const syntax::Equation& equation, const Scope& scope) {
+    if (pass_ == Pass::Connections ? !holdsConnection(equation) : equation.kind == Kind::Connect) return;
     switch (equation.kind) {
         case Kind::Equality:
             return equality(equation, scope);

@@ -15,6 +15,9 @@ public:
 
 private:
     using List = std::vector<syntax::Equation>;
+    enum class Pass { Connections, Others };  // cardinality() counts connections
+
+    void translateSections(Instance& instance);
 
     void translate(const syntax::Equation& equation, const Scope& scope);
     void translate(const List& equations, const Scope& scope);
@@ -29,6 +32,7 @@ private:
     void assertion(const syntax::Equation& equation, const Scope& scope);
 
     Flattening& work_;
+    Pass pass_{Pass::Connections};
     std::vector<FlatEquation> found_;
     bool isInitial_{};
     std::vector<ExpressionId> guards_;  // of the branches under way

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/flat/class_rules.hpp"
+#include "core/flat/connections.hpp"
 #include "core/flat/events.hpp"
 #include "core/flat/executor.hpp"
 #include "core/flat/instantiator.hpp"
@@ -38,15 +39,16 @@ constexpr std::array elementaries{
 };
 
 constexpr std::array otherFunctions{
-    "der",       "delay",      "noEvent",  "smooth",         "homotopy", "min",      "max",    "sum",
-    "product",   "size",       "zeros",    "ones",           "fill",     "linspace", "scalar", "vector",
-    "pre",       "edge",       "change",   "sample",         "initial",  "terminal", "String", "cat",
-    "transpose", "identity",   "diagonal", "matrix",         "ndims",    "cross",    "skew",   "outerProduct",
-    "symmetric", "semiLinear", "array",    "getInstanceName"};
+    "der",        "delay",        "noEvent",   "smooth",     "homotopy", "min",
+    "max",        "sum",          "product",   "size",       "zeros",    "ones",
+    "fill",       "linspace",     "scalar",    "vector",     "pre",      "edge",
+    "change",     "sample",       "initial",   "terminal",   "String",   "cat",
+    "transpose",  "identity",     "diagonal",  "matrix",     "ndims",    "cross",
+    "skew",       "outerProduct", "symmetric", "semiLinear", "array",    "getInstanceName",
+    "cardinality"};
 
-constexpr std::array refusedFunctions{"reinit",      "terminate",           "inStream",   "actualStream",
-                                      "cardinality", "spatialDistribution", "Clock",      "previous",
-                                      "hold",        "subSample",           "superSample"};
+constexpr std::array refusedFunctions{"reinit", "terminate", "inStream", "actualStream", "spatialDistribution",
+                                      "Clock",  "previous",  "hold",     "subSample",    "superSample"};
 
 template <class Table>
 bool contains(const Table& table, std::string_view name) {
@@ -95,6 +97,7 @@ public:
         if (name_ == "cross" || name_ == "skew" || name_ == "outerProduct") return ofVectors();
         if (name_ == "semiLinear") return semiLinear();
         if (name_ == "getInstanceName") return instanceName();
+        if (name_ == "cardinality") return cardinality();
         bool isKnown = false;
         auto event = work_.events->call(call_, scope_, isKnown);
         if (isKnown) return event;
@@ -287,6 +290,25 @@ private:
         ExpressionId result = isExtremum ? array->elements[0] : pool_.constant(operation == Operation::Add ? 0 : 1);
         for (ExpressionId element : array->elements) result = pool_.binary(operation, result, element);
         return Value::scalar(array->type, result);
+    }
+
+    /// In how many connections a connector stands (section 3.7.4.3).
+    std::optional<Value> cardinality() {
+        if (!take({"c"}, 1)) return std::nullopt;
+        const syntax::Expression& operand = *expressions_[0];
+        if (operand.kind != syntax::Expression::Kind::Reference)
+            return fail(phrase("'cardinality' takes one connector"), operand.span);
+        const auto slice = work_.translator->resolve(operand.name, scope_);
+        if (!slice) return std::nullopt;
+        if (!slice->element->type.isConnector || slice->variables.size() + slice->instances.size() != 1)
+            return fail(phrase("'cardinality' takes one connector"), operand.span);
+        const std::string& name =
+            slice->instances.empty() ? work_.variable(slice->variables.front()).name : slice->instances.front()->name;
+        const std::optional<int> count = work_.connections->cardinality(name);
+        if (!count)
+            return fail(phrase("'cardinality' can stand in equations and their conditions alone"), call_.span,
+                        phrase("where no connection depends on it"));
+        return Value::scalar(FlatType::Integer, pool_.constant(*count));
     }
 
     /// The array need not have a value: components have a size too.

@@ -218,8 +218,31 @@ void Instantiator::tellVisibility(const std::string& name, bool isProtected, con
                          span, phrase("redeclare it in a section of the same kind"));
 }
 
+/// `inner outer T x` declares two: to its class x is that of an instance around, to what lies within it is the one that
+/// is declared and modified here (section 5.4). The first bears the name; false: it is there already.
+bool Instantiator::addOuterSide(Instance& instance, const LibraryClass& definition, const syntax::Component& component,
+                                bool isProtected) {
+    const bool isKnown = std::any_of(instance.elements.begin(), instance.elements.end(), [&](const Element& e) {
+        return e.original->nameSpan.text().data() == component.nameSpan.text().data();
+    });
+    if (isKnown) return false;
+    syntax::Component& side = sides_.emplace_back(component);
+    side.isInner = false;
+    side.modifications.clear();
+    side.binding.reset();
+    Element element;
+    element.declaration = element.original = &side;
+    element.owner = &definition;
+    element.scope = {&instance, &definition};
+    element.isProtected = component.isProtected || isProtected;
+    instance.elements.push_back(std::move(element));
+    return true;
+}
+
 void Instantiator::addElement(Instance& instance, const LibraryClass& definition, const syntax::Component& component,
                               const Modifier& outer, bool isProtected) {
+    const bool isBoth = component.isInner && component.isOuter;
+    if (isBoth && !addOuterSide(instance, definition, component, isProtected)) return;
     const Scope scope{&instance, &definition};
     Modifier own = modifierOf(component.modifications, scope, work_.messages);
     if (component.binding) {
@@ -243,7 +266,12 @@ void Instantiator::addElement(Instance& instance, const LibraryClass& definition
             modification ? merge(*modification, std::move(own), work_.messages, component.name) : std::move(own);
     }
 
-    if (Element* existing = instance.find(component.name))
+    if (isBoth) {
+        syntax::Component& side = sides_.emplace_back(component);
+        side.isOuter = false;
+        element.declaration = element.original = &side;
+        instance.elements.push_back(std::move(element));
+    } else if (Element* existing = instance.find(component.name))
         replaceElement(instance, *existing, std::move(element));
     else if (component.isRedeclare)
         work_.messages.error(

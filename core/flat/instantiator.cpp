@@ -190,6 +190,22 @@ bool Instantiator::prepare(Instance& instance, Element& element) {
     return createItems(instance, element);
 }
 
+namespace {
+
+/// The inner component of a name; null: none. One that is outer as well stands behind its outer side.
+Element* innerOf(Instance& instance, const std::string& name) {
+    Element* const named = instance.find(name);
+    if (!named || named->original->isInner || !named->original->isOuter) {
+        return named && named->original->isInner ? named : nullptr;
+    }
+    const auto inner = std::find_if(instance.elements.begin(), instance.elements.end(), [&](const Element& element) {
+        return element.original->isInner && element.original->name == name;
+    });
+    return inner == instance.elements.end() ? nullptr : &*inner;
+}
+
+}  // namespace
+
 /// An outer component is the inner one of its name in the nearest instance around (section 5.4).
 bool Instantiator::prepareOuter(Instance& instance, Element& element) {
     const syntax::Component& original = *element.original;
@@ -198,9 +214,6 @@ bool Instantiator::prepareOuter(Instance& instance, Element& element) {
         work_.messages.error(why, wordOf(original, "outer"), hint);
         return false;
     };
-    if (original.isInner)
-        return refuse(phrase("a component that is \"inner\" and \"outer\" at once is not supported"),
-                      phrase("give the inner one a name of its own"));
     if (!original.modifications.empty() || original.binding)
         return refuse(
             phrase("the outer component '{}' cannot be modified: it is the one of an instance around it", name),
@@ -208,8 +221,8 @@ bool Instantiator::prepareOuter(Instance& instance, Element& element) {
     Element* meant = nullptr;
     Instance* around = instance.parent;
     for (; around; around = around->parent) {
-        meant = around->find(name);
-        if (meant && meant->original->isInner) break;
+        meant = innerOf(*around, name);
+        if (meant) break;
     }
     if (!around)
         return refuse(phrase("the outer component '{}' of {} has no inner one around it", name, instance.label()),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <optional>
 
 #include "core/flat/flattening.hpp"
@@ -42,6 +43,8 @@ private:
     void collectClasses(Instance& instance, const LibraryClass& definition, const Modifier& outer);
     void addElement(Instance& instance, const LibraryClass& definition, const syntax::Component& component,
                     const Modifier& outer, bool isProtected);
+    bool addOuterSide(Instance& instance, const LibraryClass& definition, const syntax::Component& component,
+                      bool isProtected);
     void replaceElement(Instance& instance, Element& existing, Element element);
     Element redeclare(Instance& instance, Element element, const syntax::Component& component,
                       const Modifier& modification);
@@ -77,6 +80,7 @@ private:
                                             const std::string& className, int depth);
 
     Flattening& work_;
+    std::deque<syntax::Component> sides_;  // of what is inner and outer at once
     std::size_t scalars_{};
     std::size_t items_{};  // components, connectors and records
 };

@@ -14,6 +14,7 @@
 
 #include "core/base/stopwatch.hpp"
 #include "core/eval/rank_deficient.hpp"
+#include "core/simulate/delay_history.hpp"
 #include "core/simulate/sundials_owner.hpp"
 
 namespace analogon {
@@ -69,6 +70,10 @@ public:
             if (slot == slotOf.end()) observed.push_back(name);
         }
         handles_ = system.observe(observed);
+        for (const HybridModel::Delay& delay : model.delays) {
+            delays_.emplace_back(delay.time);
+            delayedInputs_.push_back(system.inputIndex(delay.input));
+        }
     }
 
     Outcome<EventTrajectory> run() {
@@ -104,6 +109,7 @@ private:
     bool areRatesDecided() {
         if (undecided_.names.empty() || n_ == 0) return true;
         if (!takeSlots()) return hasNoValue(system_.failure(workspace_));
+        takeDelayed(time_);
         std::vector<double> smallest(n_), other(n_);
         if (!system_.derivatives(workspace_, time_, {x_.data(), n_}, u_, smallest))
             return hasNoValue(system_.failure(workspace_));
@@ -144,7 +150,55 @@ private:
     }
 
     bool read(double t, const double* x, std::vector<double>& readings) {
+        takeDelayed(t);
         return system_.outputs(workspace_, t, {x, n_}, u_, readings);
+    }
+
+    // ---------------------------------------------------------------------------------------------- delayed signals
+
+    /// What arrives at this time. Until the history begins: the signals themselves (takeStarts).
+    void takeDelayed(double t) {
+        for (std::size_t d = 0; d < delays_.size(); ++d) {
+            const int input = delayedInputs_[d];
+            if (input < 0 || delays_[d].isEmpty()) continue;  // nobody reads it
+            u_[static_cast<std::size_t>(input)] = delays_[d].at(t);
+            if (system_.needsInputDerivative())
+                u_[static_cast<std::size_t>(system_.inputCount() + input)] = delays_[d].slopeAt(t);
+        }
+    }
+
+    /// Before the run begins a delayed signal is what it is at the begin. Whether that has changed.
+    bool takeStarts() {
+        bool isNew = false;
+        for (std::size_t d = 0; d < delays_.size(); ++d) {
+            if (delayedInputs_[d] < 0 || !delays_[d].isEmpty()) continue;
+            double& input = u_[static_cast<std::size_t>(delayedInputs_[d])];
+            isNew = isNew || input != readings_[static_cast<std::size_t>(model_.delays[d].reading)];
+            input = readings_[static_cast<std::size_t>(model_.delays[d].reading)];
+        }
+        return isNew;
+    }
+
+    /// The delayed signals as they are now, behind an event.
+    bool rememberEvent() {
+        if (delays_.empty()) return true;
+        if (!takeSlots() || !read(time_, x_.data(), readings_)) return hasNoValue(system_.failure(workspace_));
+        for (std::size_t d = 0; d < delays_.size(); ++d)
+            delays_[d].addBehindEvent(time_, readings_[static_cast<std::size_t>(model_.delays[d].reading)]);
+        return true;
+    }
+
+    /// The delayed signals over the step that was made, between which straight lines will do.
+    bool rememberStep(double begin, double end) {
+        constexpr int points = 8;
+        for (int k = 1; k <= points && !delays_.empty(); ++k) {
+            const double t = k == points ? end : begin + (end - begin) * k / points;
+            if (CVodeGetDky(cvodes_.get(), t, 0, y_.get()) != CV_SUCCESS) continue;
+            if (!read(t, N_VGetArrayPointer(y_.get()), readings_)) return hasNoValue(system_.failure(workspace_));
+            for (std::size_t d = 0; d < delays_.size(); ++d)
+                delays_[d].add(t, readings_[static_cast<std::size_t>(model_.delays[d].reading)]);
+        }
+        return true;
     }
 
     double offsetOf(int step) const { return step >= 0 ? values_[static_cast<std::size_t>(step)] : 0; }
@@ -230,6 +284,7 @@ private:
                 isRound_ = false;
             else
                 isRound_ = read(time_, x_.data(), readings_);
+            const bool isStart = isRound_ && takeStarts();
             if (!isRound_ && round > 20) return hasNoValue(system_.failure(workspace_));
             model_.program.run(slots_, readings_, time_, values_);
             judge(round == 0 ? crossed : std::set<int>{}, isInitial && round < 20, round >= 10);
@@ -239,9 +294,9 @@ private:
                 const double value = values_[static_cast<std::size_t>(a.step)];
                 if (value != slot) name(changed, a.slot);
                 slot = value;
-                if (std::isnan(value) && isRound_) return hasNoValue(changed);
+                if (std::isnan(value) && isRound_ && !isStart) return hasNoValue(changed);
             }
-            if (slots_ == before && isRound_) return true;
+            if (slots_ == before && isRound_ && !isStart) return true;
             if (round > 0 && slots_ != before) {
                 for (std::size_t i = 0; i < slots_.size(); ++i)
                     if (slots_[i] != before[i]) changed = model_.slots[i];
@@ -345,7 +400,7 @@ private:
                 slots_[static_cast<std::size_t>(model_.samples[k].slot)] = 1;
                 ++clocks_[k].count;
             }
-        if (!event({})) return false;
+        if (!event({}) || !rememberEvent()) return false;
         return record();
     }
 
@@ -374,6 +429,7 @@ private:
     double nextTimeEvent() const {
         double next = never;
         for (const Clock& clock : clocks_) next = std::min(next, clock.next());
+        for (const DelayHistory& delay : delays_) next = std::min(next, delay.nextArrival());
         const double least = time_ + 2e-13 * std::max(1.0, std::fabs(time_));
         for (const HybridModel::Relation& r : model_.relations) {
             if (!r.isOfTime) continue;
@@ -419,6 +475,7 @@ private:
             N_VGetArrayPointer(ydot)[0] = 0;
             return 0;
         }
+        run.takeDelayed(t);
         return run.system_.derivatives(run.workspace_, t, {N_VGetArrayPointer(y), run.n_}, run.u_,
                                        {N_VGetArrayPointer(ydot), run.n_})
                    ? 0
@@ -462,7 +519,9 @@ private:
             CVodeSetNoInactiveRootWarn(memory);
         }
         // relations are looked at between steps
-        CVodeSetMaxStep(memory, (options_.stop - options_.start) / (rootCount() > 0 ? 500 : 50));
+        double longest = (options_.stop - options_.start) / (rootCount() > 0 ? 500 : 50);
+        for (const DelayHistory& delay : delays_) longest = std::min(longest, delay.delay());
+        CVodeSetMaxStep(memory, longest);
         return ok;
     }
 
@@ -493,6 +552,7 @@ private:
             return failed(variable.empty() ? phrase("the integration does not go on")
                                            : phrase("the integration does not go on at '{}'", variable));
         }
+        if (!rememberStep(time_, reached)) return false;
         for (;; ++grid_) {
             const double t = options_.start + static_cast<double>(grid_) * interval;
             if (t >= reached || t >= options_.stop) break;
@@ -533,11 +593,12 @@ private:
         if (++result_.events > static_cast<long>(options_.mostEvents))
             return failed(phrase("more than {} events", options_.mostEvents));
         if (!record()) return false;  // as it was right before
+        for (DelayHistory& delay : delays_) delay.arriveUpTo(time_);
         if (!model_.leftLimits.empty() && !read(time_, x_.data(), readings_))
             return hasNoValue(system_.failure(workspace_));
         for (const int slot : pending_) slots_[static_cast<std::size_t>(slot)] = 1;
         pending_.clear();
-        if (!event(crossed) || !record()) return false;
+        if (!event(crossed) || !rememberEvent() || !record()) return false;
         if (time_ - lastEvent_ < 1e-10 * (options_.stop - options_.start)) {
             if (++crowded_ > 2000) return failed(phrase("events without end"));
         } else {
@@ -550,6 +611,7 @@ private:
 
     bool record() {
         if (!takeSlots()) return hasNoValue(system_.failure(workspace_));
+        takeDelayed(time_);
         std::vector<double> observed(handles_.size());
         if (!system_.observed(workspace_, time_, {x_.data(), n_}, u_, handles_, observed))
             return hasNoValue(system_.failure(workspace_));
@@ -580,9 +642,11 @@ private:
     std::vector<double> slots_, readings_, rootReadings_, x_, u_, values_, taken_;
     std::vector<std::pair<int, int>> source_;  // by name: slot, or -1 and which of the observed
     std::vector<int> handles_;
-    std::vector<Clock> clocks_;   // by sample
-    std::size_t lastSwitched_{};  // relation
-    std::vector<int> pending_;    // samples that come true at this event
+    std::vector<Clock> clocks_;  // by sample
+    std::vector<DelayHistory> delays_;
+    std::vector<int> delayedInputs_;  // by delay; -1: nobody reads it
+    std::size_t lastSwitched_{};      // relation
+    std::vector<int> pending_;        // samples that come true at this event
     std::set<std::size_t> warned_;
     UndecidedScope undecided_;
     EventTrajectory result_;

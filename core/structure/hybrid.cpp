@@ -201,6 +201,20 @@ private:
         return entry->second;
     }
 
+    /// The value of what parameters alone decide.
+    std::optional<double> number(ExpressionId of) {
+        bool isNumber = true;
+        const double value = pool().evaluate(of, [&](const ExpressionNode& leaf) {
+            const auto known = leaf.operation == Variable && !isSlot(leaf.variable) &&
+                                       variable(leaf.variable).variability != FlatVariability::Continuous
+                                   ? model_->parameterValue(leaf.variable)
+                                   : std::nullopt;
+            isNumber = isNumber && known;
+            return known.value_or(0);
+        });
+        return isNumber && std::isfinite(value) ? std::optional(value) : std::nullopt;
+    }
+
     /// factor*time + rest, where the rest keeps still between events.
     struct OfTime {
         double factor{};
@@ -212,18 +226,6 @@ private:
         const auto both = [&](auto combine) -> std::optional<OfTime> {
             const auto a = ofTime(node.a), b = ofTime(node.b);
             return a && b ? combine(*a, *b) : std::nullopt;
-        };
-        const auto number = [&](ExpressionId of) -> std::optional<double> {
-            bool isNumber = true;
-            const double value = pool().evaluate(of, [&](const ExpressionNode& leaf) {
-                const auto known = leaf.operation == Variable && !isSlot(leaf.variable) &&
-                                           variable(leaf.variable).variability != FlatVariability::Continuous
-                                       ? model_->parameterValue(leaf.variable)
-                                       : std::nullopt;
-                isNumber = isNumber && known;
-                return known.value_or(0);
-            });
-            return isNumber && std::isfinite(value) ? std::optional(value) : std::nullopt;
         };
         switch (node.operation) {
             case Time:
@@ -296,16 +298,38 @@ private:
         if (const auto known = frozen_.find(id.value); known != frozen_.end()) return known->second;
         const ExpressionNode node = pool()[id];
         ExpressionId result = id;
-        if (node.operation == NoEvent || node.operation == Smooth || !hasParts(node)) {
+        if (node.operation == NoEvent || node.operation == Smooth) {
+            result = pool().substitute(id, [&](const ExpressionNode& leaf) {
+                return leaf.operation == Delay ? frozen(pool().delay(leaf.a, leaf.b)) : ExpressionId{};
+            });
+        } else if (!hasParts(node)) {
             result = id;
         } else if (node.operation == Delay) {
-            faults_.push_back(error(phrase("delay() is not supported in a model with events")));
+            result = delayed(node);
         } else {
             const ExpressionId a = frozen(node.a), b = node.b.valid() ? frozen(node.b) : node.b,
                                c = node.c.valid() ? frozen(node.c) : node.c;
             result = frozenOf(node, a, b, c);
         }
         return frozen_[id.value] = result;
+    }
+
+    /// An input that is fed with what the signal was.
+    ExpressionId delayed(const ExpressionNode& node) {
+        const ExpressionId signal = frozen(node.a);
+        const std::optional<double> time = number(node.b);
+        if (!time || *time < 0) {
+            faults_.push_back(error(phrase("a model with events needs delays that do not change while it runs"), {},
+                                    phrase("use a parameter of at least 0 as the delay time")));
+            return signal;
+        }
+        if (*time == 0) return signal;
+        const VariableId id = addVariable(fmt::format("$delay{}", out_.delays.size()), FlatType::Real);
+        variable(id).causality = FlatCausality::Input;
+        isKnown_.resize(model_->variables.size(), 0);
+        delayed_.insert(id.value);
+        out_.delays.push_back({variable(id).name, readingOf(signal), *time});
+        return pool().variable(id);
     }
 
     static bool hasParts(const ExpressionNode& node) { return node.a.valid(); }
@@ -398,7 +422,7 @@ private:
             made.operation = Variable;
             made.reading = readingOf(id);
         } else if (node.operation == Delay) {
-            faults_.push_back(error(phrase("delay() is not supported in a model with events")));
+            faults_.push_back(error(phrase("delay() cannot decide when 'sample' ticks")));
         } else {
             if (node.a.valid()) made.a = step(node.a);
             if (node.b.valid()) made.b = step(node.b);
@@ -458,7 +482,8 @@ private:
                 v.min = v.max = std::nullopt;
             } else if (!readings.count(i) && v.causality == FlatCausality::Output) {
                 v.causality = FlatCausality::Local;
-            } else if (v.causality == FlatCausality::Input && v.variability == FlatVariability::Continuous) {
+            } else if (v.causality == FlatCausality::Input && v.variability == FlatVariability::Continuous &&
+                       !delayed_.count(i)) {
                 v.causality = FlatCausality::Local;  // nobody drives it: it stays at its start
                 model_->equations.push_back(
                     {pool().variable({i}), pool().constant(v.start.valid() ? startOf(v) : 0), v.declared, {}, false});
@@ -493,7 +518,7 @@ private:
     std::map<std::tuple<Operation, std::uint32_t, std::uint32_t>, ExpressionId> relationOf_;
     std::map<std::uint32_t, ExpressionId> wholeOf_;
     std::vector<std::pair<std::size_t, ExpressionId>> relationOffsets_, wholeOffsets_;
-    std::set<std::uint32_t> open_;
+    std::set<std::uint32_t> open_, delayed_;
 };
 
 }  // namespace

@@ -75,6 +75,13 @@ struct HybridModel {
         Span span;
     };
 
+    /// An input of the continuous model: a reading as it was some time before.
+    struct Delay {
+        std::string input;
+        int reading{};
+        double time{};  // [s], above 0
+    };
+
     std::shared_ptr<const FlatModel> continuous;
     std::vector<std::string> slots;               // names: parameters of the continuous model
     std::vector<double> starts;                   // of the slots
@@ -91,6 +98,7 @@ struct HybridModel {
     std::vector<Reinit> reinits;
     std::vector<Check> checks;
     std::vector<Subscript> subscripts;
+    std::vector<Delay> delays;
 };
 
 Outcome<HybridModel> partition(const FlatModel& model);

@@ -10322,8 +10322,16 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>eine Gleichung, die es setzt, hat es allein auf einer Seite</translation>
     </message>
     <message>
-        <source>delay() is not supported in a model with events</source>
-        <translation>delay() wird in einem Modell mit Ereignissen nicht unterstützt</translation>
+        <source>a model with events needs delays that do not change while it runs</source>
+        <translation>ein Modell mit Ereignissen braucht Verzögerungen, die sich im Lauf nicht ändern</translation>
+    </message>
+    <message>
+        <source>use a parameter of at least 0 as the delay time</source>
+        <translation>als Verzögerungszeit einen Parameter von mindestens 0 nehmen</translation>
+    </message>
+    <message>
+        <source>delay() cannot decide when 'sample' ticks</source>
+        <translation>delay() kann nicht bestimmen, wann 'sample' tickt</translation>
     </message>
     <message>
         <source>the file is no MATLAB file</source>
@@ -10626,12 +10634,16 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>externe Funktionen werden nicht unterstützt</translation>
     </message>
     <message>
-        <source>a component that is &quot;inner&quot; and &quot;outer&quot; at once is not supported</source>
-        <translation>eine Komponente, die zugleich „inner“ und „outer“ ist, wird nicht unterstützt</translation>
+        <source>'cardinality' takes one connector</source>
+        <translation>'cardinality' nimmt einen Konnektor</translation>
     </message>
     <message>
-        <source>give the inner one a name of its own</source>
-        <translation>der inneren einen eigenen Namen geben</translation>
+        <source>'cardinality' can stand in equations and their conditions alone</source>
+        <translation>'cardinality' kann nur in Gleichungen und ihren Bedingungen stehen</translation>
+    </message>
+    <message>
+        <source>where no connection depends on it</source>
+        <translation>wo keine Verbindung davon abhängt</translation>
     </message>
     <message>
         <source>the outer component '{}' cannot be modified: it is the one of an instance around it</source>

@@ -8,6 +8,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsNull;
+using ::testing::Not;
 using ::testing::NotNull;
 
 TEST(Connect, PotentialsAreEqualAndFlowsSumToZero) {
@@ -233,6 +234,39 @@ TEST(Expandable, ASignalThatNobodyDrivesIsTold) {
     EXPECT_FALSE(faultsOf(busText + std::string(R"(
   model M Reader r; Twice t; protected Bus bus; equation connect(r.bus, bus); connect(bus.speed, t.u); end M;)"))
                      .empty());
+}
+
+TEST(Connections, CardinalityCountsTheConnectionsOfAConnectorWhereverTheyStand) {
+    const FlatModel m = flatOf(R"(
+        connector Pin Real v; flow Real i; end Pin;
+        model Tap Pin p; Pin q[2];
+        equation
+          if cardinality(p) == 0 then p.v = 1; else p.i = p.v; end if;
+          for k in 1:2 loop q[k].v = cardinality(q[k]); end for;
+          assert(cardinality(p) <= 2, "too many");
+        end Tap;
+        model M Tap a, b; equation for k in 1:1 loop connect(a.p, b.q[k]); end for; connect(b.q[1], a.p); end M;)");
+    EXPECT_THAT(equations(m), Contains("b.p.v = 1"));
+    EXPECT_THAT(equations(m), Not(Contains("a.p.v = 1")));
+    EXPECT_THAT(equations(m), Contains("a.q[1].v = 0"));
+    EXPECT_THAT(equations(m), Contains("b.q[1].v = 2"));
+    EXPECT_THAT(faultsOf("connector Pin Real v; flow Real i; end Pin; "
+                         "model M Pin p; parameter Integer n = cardinality(p); equation p.v = n; end M;"),
+                Contains(HasSubstr("can stand in equations and their conditions alone")));
+    EXPECT_THAT(faultsOf("model M Real x; equation x = cardinality(x); end M;"),
+                Contains(HasSubstr("'cardinality' takes one connector")));
+}
+
+TEST(Connections, AComponentMaySetAnInputThatItFoundOpen) {
+    const std::string classes = R"(
+        connector In = input Real; connector Out = output Real;
+        model Half In u; Out y; equation y = u/2; if cardinality(u) == 0 then u = 4; end if; end Half;)";
+    const FlatModel m = flatOf(classes + "model M Half a, b; equation connect(a.y, b.u); end M;");
+    EXPECT_THAT(equations(m), Contains("a.u = 4"));
+    EXPECT_EQ(m.equations.size(), 4u);
+    EXPECT_THAT(faultsOf("connector In = input Real; model Half In u; Real y; equation y = u/2; u = 4; end Half; "
+                         "model M Half a; end M;"),
+                Contains(HasSubstr("the input 'a.u' of component 'a' (Half) is not connected")));
 }
 
 }  // namespace

@@ -58,5 +58,30 @@ TEST(Outer, AnInnerComponentOfAnotherKindOrAModifiedOuterOneIsRefused) {
                 ElementsAre(HasSubstr("the outer component 'ambient' cannot be modified")));
 }
 
+TEST(Outer, WhatIsInnerAndOuterAtOnceIsOneToItsClassAndAnotherToWhatLiesWithin) {
+    const FlatModel m = flatOf(surroundings + R"(
+        model Cabinet inner outer Surroundings ambient(T = 310); Part part; Real own = ambient.T; end Cabinet;
+        model M inner Surroundings ambient(T = 290); Cabinet cabinet; Cabinet hot(ambient(T = 350)); end M;)");
+    EXPECT_THAT(equations(m), Contains("cabinet.own = ambient.T"));
+    EXPECT_THAT(equations(m), Contains("cabinet.part.x = cabinet.ambient.T + cabinet.ambient.t"));
+    EXPECT_EQ(valueOf(m, "cabinet.ambient.T"), 310);
+    EXPECT_EQ(valueOf(m, "hot.ambient.T"), 350);
+    EXPECT_EQ(valueOf(m, "ambient.T"), 290);
+    EXPECT_THAT(faultsOf(surroundings + R"(
+        model Cabinet inner outer Surroundings ambient; Part part; end Cabinet; model M Cabinet cabinet; end M;)"),
+                ElementsAre(HasSubstr("has no inner one around it")));
+}
+
+TEST(Outer, ConnectionsToAnOuterComponentAreOfTheClassThatHasIt) {
+    const FlatModel m = flatOf(R"(
+        connector Port Real v; flow Real i; end Port;
+        model Bus Port p; equation p.v = 1; end Bus;
+        model Load Port p; equation p.i = p.v; end Load;
+        model Slot outer Bus bus; Load load; equation connect(load.p, bus.p); end Slot;
+        model M inner Bus bus; Slot a, b; end M;)");
+    EXPECT_THAT(equations(m), Contains("a.load.p.i + bus.p.i + b.load.p.i = 0"));
+    EXPECT_EQ(m.equations.size(), 6u);
+}
+
 }  // namespace
 }  // namespace analogon

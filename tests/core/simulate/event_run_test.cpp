@@ -350,6 +350,44 @@ TEST(EventRun, RandomNumbersAreDrawnAtSamples) {
     }
 }
 
+TEST(EventRun, ADelayedSignalArrivesWithItsJumpsAndItsKinks) {
+    // A delayed feedback: x' = -x(t - 0.5) from 1 on is a line, then a parabola. A delayed step counts at 0.3 + 0.25.
+    const Simulated run = runOf(R"(
+        model M Real x(start = 1, fixed = true), s, d, e; Integer n(start = 0, fixed = true); parameter Real T = 0.5;
+        equation
+          der(x) = -delay(x, T);
+          s = if time > 0.3 then 2 else 1; d = delay(s, T/2); e = noEvent(if d > 1.5 then delay(s, T) else 7);
+          when d > 1.5 then n = pre(n) + 1; end when;
+        end M;)",
+                                {"x", "d", "e", "n"}, 1);
+    ASSERT_RAN(run);
+    EXPECT_NEAR(run.at(0.5, "x"), 0.5, 1e-6);
+    EXPECT_NEAR(run.last("x"), 1 - 1 + 0.125, 1e-5);
+    EXPECT_EQ(run.at(0.54, "d"), 1);
+    EXPECT_EQ(run.at(0.551, "d"), 2);
+    EXPECT_EQ(run.at(0.54, "n"), 0);
+    EXPECT_EQ(run.at(0.551, "n"), 1);
+    EXPECT_EQ(run.at(0.7, "e"), 1);
+    EXPECT_EQ(run.last("e"), 2);
+}
+
+TEST(EventRun, ALineSendsBackWhatItsOtherEndSentBefore) {
+    // An ideal line of 1 s, open at its end, behind its own resistance: half the voltage, then all of it.
+    const Simulated run = runOf(R"(
+        model M Real v1, v2, i1, e1, e2; parameter Real Z = 50; Real u = if time > 0.5 then 10 else 0;
+        equation
+          e1 = 2*delay(v2, 1) - delay(e2, 1); e2 = 2*delay(v1, 1) - delay(e1, 1);
+          v1 = e1 + Z*i1; u = v1 + Z*i1; v2 = e2;
+        end M;)",
+                                {"v1", "v2"}, 4);
+    ASSERT_RAN(run);
+    EXPECT_NEAR(run.at(1.4, "v1"), 5, 1e-9);
+    EXPECT_NEAR(run.at(1.4, "v2"), 0, 1e-9);
+    EXPECT_NEAR(run.at(1.6, "v2"), 10, 1e-9);
+    EXPECT_NEAR(run.at(2.4, "v1"), 5, 1e-9);
+    EXPECT_NEAR(run.at(2.6, "v1"), 10, 1e-9);
+}
+
 /// A shaft that two brakes hold for half a second. What each of them takes is open meanwhile.
 std::string twoBrakes(const std::string& second, const std::string& more = "") {
     return "model M parameter Real J = 2; Real w(start = 0, fixed = true), a, f1, f2, y(start = 0, fixed = true); "
