@@ -412,8 +412,11 @@ bool Executor::store(const syntax::Expression& target, const Value& value, const
         work_.messages.error(phrase("'{}' is not a variable of the function", name.text()), target.span);
         return false;
     }
-    const auto slice = translator.resolve(name, scope);
-    if (!slice) return false;
+    const auto slice = [&] {
+        const Messages::Quiet quiet(work_.messages);
+        return translator.resolve(name, scope);
+    }();
+    if (!slice) return storeWhereItRuns(target, value, scope) || (translator.resolve(name, scope), false);
     const std::vector<ScalarValue> scalars = scalarsOf(work_, *slice, value, target.span);
     if (scalars.empty() && !slice->variables.empty()) return false;
     for (const auto& [variable, expression] : scalars) translator.overlay_[variable.value] = expression;
@@ -441,7 +444,22 @@ bool Executor::storeIn(Value& target, const std::vector<syntax::NamePart>& parts
     }
     if (!here.subscripts.empty()) {
         std::vector<int> remaining;
-        const auto lists = work_.translator->subscriptLists(target.dimensions, here.subscripts, scope, span, remaining);
+        const bool isOne = part + 1 == parts.size() && !target.isRecord() && value.isScalar() &&
+                           value.elements.size() == 1 && target.type != FlatType::String;
+        const auto known = [&] {
+            const Messages::Quiet quiet(work_.messages);
+            return work_.translator->subscriptLists(target.dimensions, here.subscripts, scope, span, remaining);
+        }();
+        if (const auto meant =
+                known || !isOne ? std::nullopt : elementsMeant(target.dimensions, here.subscripts, scope, span)) {
+            for (std::size_t k = 0; k < meant->size(); ++k)
+                target.elements[k] = work_.pool.ifThenElse((*meant)[k], value.elements[0], target.elements[k]);
+            return true;
+        }
+        if (!known) remaining.clear();
+        const auto lists =
+            known ? known
+                  : work_.translator->subscriptLists(target.dimensions, here.subscripts, scope, span, remaining);
         if (!lists) return false;
         std::vector<std::size_t> places = elementOffsets(*lists, target.dimensions);
         if (target.isRecord() || part + 1 < parts.size()) {

@@ -70,6 +70,10 @@ private:
     Flow when(const Statement& statement, const Scope& scope);
     Flow callOf(const Statement& statement, const Scope& scope);
     bool store(const syntax::Expression& target, const Value& value, const Scope& scope);
+    std::optional<std::vector<ExpressionId>> elementsMeant(const std::vector<int>& dimensions,
+                                                           const std::vector<syntax::Expression>& subscripts,
+                                                           const Scope& scope, const Span& span);
+    bool storeWhereItRuns(const syntax::Expression& target, const Value& value, const Scope& scope);
     bool storeIn(Value& target, const std::vector<syntax::NamePart>& parts, std::size_t part, const Value& value,
                  const Scope& scope, const Span& span);
 

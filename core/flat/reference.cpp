@@ -77,11 +77,20 @@ std::optional<Value> Translator::chosenWhenItRuns(const syntax::Name& name, cons
 
 std::optional<Value> Translator::chosenFrom(const Value& array, const std::vector<Expression>& subscripts,
                                             const Scope& scope) {
-    if (subscripts.size() != array.dimensions.size() || array.isRecord() || array.type == FlatType::String ||
+    if (subscripts.size() > array.dimensions.size() || array.isRecord() || array.type == FlatType::String ||
         array.elements.empty())
         return std::nullopt;
+    Value value;
+    value.type = array.type;
+    value.enumeration = array.enumeration;
     std::vector<ExpressionId> elements = array.elements;
-    for (std::size_t d = subscripts.size(); d-- > 0;) {
+    std::size_t behind = 1;  // elements of the dimensions behind that stay
+    for (std::size_t d = array.dimensions.size(); d-- > 0;) {
+        if (d >= subscripts.size() || subscripts[d].kind == Kind::Colon) {
+            behind *= static_cast<std::size_t>(array.dimensions[d]);
+            value.dimensions.insert(value.dimensions.begin(), array.dimensions[d]);
+            continue;
+        }
         ends_.push_back(array.dimensions[d]);
         const auto index = translate(subscripts[d], scope);
         ends_.pop_back();
@@ -90,25 +99,26 @@ std::optional<Value> Translator::chosenFrom(const Value& array, const std::vecto
         std::vector<ExpressionId> next;
         if (const auto known = constantNumber(index->elements[0], true)) {
             if (!(*known >= 1 && *known <= array.dimensions[d])) return std::nullopt;
-            for (std::size_t block = 0; block < elements.size(); block += extent)
-                next.push_back(elements[block + static_cast<std::size_t>(*known) - 1]);
+            for (std::size_t block = 0; block < elements.size(); block += extent * behind)
+                for (std::size_t j = 0; j < behind; ++j)
+                    next.push_back(elements[block + (static_cast<std::size_t>(*known) - 1) * behind + j]);
             elements = std::move(next);
             continue;
         }
         const ExpressionId none = work_.pool.constant(std::numeric_limits<double>::quiet_NaN());
         work_.model.events.subscripts.push_back({index->elements[0], array.dimensions[d], subscripts[d].span});
-        for (std::size_t block = 0; block < elements.size(); block += extent) {
+        for (std::size_t place = 0; place < elements.size() / extent; ++place) {
+            const std::size_t block = place / behind * extent * behind + place % behind;
             ExpressionId chosen = none;
             for (std::size_t k = extent; k-- > 0;)
                 chosen = work_.pool.ifThenElse(work_.pool.binary(Operation::Equal, index->elements[0],
                                                                  work_.pool.constant(static_cast<double>(k + 1))),
-                                               elements[block + k], chosen);
+                                               elements[block + k * behind], chosen);
             next.push_back(chosen);
         }
         elements = std::move(next);
     }
-    Value value = Value::scalar(array.type, elements[0]);
-    value.enumeration = array.enumeration;
+    value.elements = std::move(elements);
     return value;
 }
 

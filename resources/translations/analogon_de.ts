@@ -10286,6 +10286,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>das Modell gibt nach '{}' aus, was nicht geschrieben wird: {}</translation>
     </message>
     <message>
+        <source>the subscript of '{}' is outside the array</source>
+        <translation>der Index von '{}' liegt außerhalb des Feldes</translation>
+    </message>
+    <message>
         <source>the model prints: {}</source>
         <translation>das Modell gibt aus: {}</translation>
     </message>

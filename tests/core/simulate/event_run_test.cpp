@@ -388,6 +388,31 @@ TEST(EventRun, ALineSendsBackWhatItsOtherEndSentBefore) {
     EXPECT_NEAR(run.at(2.6, "v1"), 10, 1e-9);
 }
 
+TEST(EventRun, AnElementMayBeChosenAndSetByAnIndexThatRuns) {
+    const auto model = [](int size) {
+        return "function last input Real x; input Integer i; output Real y; protected Real a[3] = {1, 2, 3}; "
+               "algorithm a[i] := x; y := a[1] + a[2] + a[3]; end last; "
+               "model M Integer n(start = 0, fixed = true); discrete Real buf[" +
+               std::to_string(size) +
+               "](each start = 0, each fixed = true); parameter Real rows[3, 2] = {{1, 2}, {3, 4}, {5, 6}}; Real r[2], "
+               "y; "
+               "algorithm when sample(0, 0.1) then n := pre(n) + 1; if n <= 5 then buf[n] := time; end if; end when; "
+               "equation r = rows[min(n, 3), :]; y = last(10, min(n, 3)); end M;";
+    };
+    const Simulated run = runOf(model(5), {"buf[1]", "buf[3]", "buf[5]", "r[1]", "r[2]", "y"}, 0.95);
+    ASSERT_RAN(run);
+    EXPECT_EQ(run.at(0.15, "buf[3]"), 0);
+    EXPECT_NEAR(run.last("buf[3]"), 0.2, 1e-12);
+    EXPECT_NEAR(run.last("buf[5]"), 0.4, 1e-12);
+    EXPECT_EQ(run.at(0.15, "r[1]"), 3);
+    EXPECT_EQ(run.at(0.15, "r[2]"), 4);
+    EXPECT_EQ(run.at(0.15, "y"), 14);
+    EXPECT_EQ(run.last("r[2]"), 6);
+    EXPECT_EQ(run.last("y"), 13);
+    EXPECT_THAT(format(runOf(model(4), {"n"}, 0.95).faults),
+                HasSubstr("at t = 0.4 s: the subscript of 'buf[n]' is outside the array"));
+}
+
 /// A shaft that two brakes hold for half a second. What each of them takes is open meanwhile.
 std::string twoBrakes(const std::string& second, const std::string& more = "") {
     return "model M parameter Real J = 2; Real w(start = 0, fixed = true), a, f1, f2, y(start = 0, fixed = true); "
