@@ -12,6 +12,7 @@
 #include "core/study/json_places.hpp"
 #include "core/study/study.hpp"
 #include "core/study/study_format.hpp"
+#include "core/study/weight.hpp"
 
 namespace analogon {
 
@@ -379,15 +380,13 @@ private:
         return mapping;
     }
 
-    /// Beside others a channel of a weight beyond these counts for nothing, or for all: their squares are added up.
     void checkWeight(const Node& node, double weight) {
-        constexpr double least = 1e-6, most = 1e6;
         if (weight < 0)
             fault(node.member("weight"), phrase("{}: a weight cannot be negative", path(node)));
-        else if (weight != 0 && !(weight >= least && weight <= most))
+        else if (!isWeight(weight))
             fault(node.member("weight"),
                   phrase("{}: a weight of {:.3g} is beyond what can be weighed ({:g} … {:g})", path(node), weight,
-                         least, most),
+                         leastWeight, mostWeight),
                   phrase("A weight says how much an output counts beside the others, each in units of its range or "
                          "its noise: 1 is the common one, 0 leaves it out."));
     }

@@ -4158,6 +4158,26 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <source>Arrange for the result</source>
         <translation>Für das Ergebnis anordnen</translation>
     </message>
+    <message>
+        <source>Table of recordings</source>
+        <translation>Tabelle der Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>All recordings as a table: sort them, edit role and weight, fit some of them alone</source>
+        <translation>Alle Aufzeichnungen als Tabelle: sortieren, Rolle und Gewicht ändern, einige allein anpassen</translation>
+    </message>
+    <message>
+        <source>The model is not finished: %1</source>
+        <translation>Das Modell ist noch nicht fertig: %1</translation>
+    </message>
+    <message>
+        <source>Not connected yet: no run</source>
+        <translation>Noch nicht verbunden: kein Lauf</translation>
+    </message>
 </context>
 <context>
     <name>MainWindowFiles</name>
@@ -4447,16 +4467,24 @@ gehalten: Jeder Wert gilt bis zum nächsten Abtastwert</translation>
         <translation>%1 lesen</translation>
     </message>
     <message>
-        <source>Clear the mark to leave the recording out of all work</source>
+        <source>Clear the check box to leave the recording out of all work</source>
         <translation>Haken entfernen, um die Aufzeichnung überall auszulassen</translation>
     </message>
     <message>
-        <source>Left out of all work; set the mark to take it in</source>
+        <source>Left out of all work; set the check box to take it in</source>
         <translation>Überall ausgelassen; Haken setzen, um sie einzubeziehen</translation>
     </message>
     <message>
         <source>Double-click or Enter looks for the file</source>
         <translation>Doppelklick oder Eingabe sucht die Datei</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>All recordings as a table: sort them, edit role and weight, fit some of them alone</source>
+        <translation>Alle Aufzeichnungen als Tabelle: sortieren, Rolle und Gewicht ändern, einige allein anpassen</translation>
     </message>
 </context>
 <context>
@@ -12513,6 +12541,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <source>Take one back in: leave out its "use": false.</source>
         <translation>Einen wieder einbeziehen: dessen "use": false weglassen.</translation>
     </message>
+    <message>
+        <source>only {} of {} recordings were looked at: {}</source>
+        <translation>nur {} von {} Aufzeichnungen wurden betrachtet: {}</translation>
+    </message>
+    <message>
+        <source>only {} of {} recordings were looked at</source>
+        <translation>nur {} von {} Aufzeichnungen wurden betrachtet</translation>
+    </message>
 </context>
 <context>
     <name>Qt</name>
@@ -13193,6 +13229,451 @@ Bitte den Namen prüfen.</translation>
     <message>
         <source>not found</source>
         <translation>nicht gefunden</translation>
+    </message>
+</context>
+<context>
+    <name>WindowWords</name>
+    <message>
+        <source>Use a part of the recordings (their range, or Trim above the traces), fewer of their columns or rows, a smaller model, or a machine with more memory.</source>
+        <translation>Einen Teil der Aufzeichnungen verwenden (ihren Bereich, oder Zuschneiden über den Kurven), weniger ihrer Spalten oder Zeilen, ein kleineres Modell oder einen Rechner mit mehr Speicher.</translation>
+    </message>
+    <message>
+        <source>Use a part of the recordings (their range, or Trim above the traces), or a smaller model.</source>
+        <translation>Einen Teil der Aufzeichnungen verwenden (ihren Bereich, oder Zuschneiden über den Kurven) oder ein kleineres Modell.</translation>
+    </message>
+    <message>
+        <source>Use a part of the recordings (their range, or Trim above the traces), fewer of their rows, or fewer outputs of the model.</source>
+        <translation>Einen Teil der Aufzeichnungen verwenden (ihren Bereich, oder Zuschneiden über den Kurven), weniger ihrer Zeilen oder weniger Ausgänge des Modells.</translation>
+    </message>
+    <message>
+        <source>Use a part of the recordings (their range, or Trim above the traces), fewer of their rows, or fit fewer parameters.</source>
+        <translation>Einen Teil der Aufzeichnungen verwenden (ihren Bereich, oder Zuschneiden über den Kurven), weniger ihrer Zeilen, oder weniger Parameter anpassen.</translation>
+    </message>
+    <message>
+        <source>{}: the start value of the model is another one</source>
+        <translation>{}: Der Startwert des Modells ist ein anderer</translation>
+    </message>
+    <message>
+        <source>no recording is used to fit</source>
+        <translation>Keine Aufzeichnung dient der Anpassung</translation>
+    </message>
+    <message>
+        <source>Give a recording that is used to fit a weight above 0 in the table of recordings.</source>
+        <translation>Einer Aufzeichnung, die der Anpassung dient, in der Tabelle der Aufzeichnungen ein Gewicht über 0 geben.</translation>
+    </message>
+    <message>
+        <source>it is set in the menu of the input {} among the measurements</source>
+        <translation>zu setzen im Menü des Eingangs {} bei den Messungen</translation>
+    </message>
+    <message>
+        <source>{}: {}; correct the unit in the header of the file, and search again</source>
+        <translation>{}: {}; die Einheit im Kopf der Datei berichtigen und erneut suchen</translation>
+    </message>
+    <message>
+        <source>the input '{}' is stamped {:.3g} s late ({:.2g} samples; a mean over the last sample is late by half of one): the search reckons with it, the errors that are reported do not; set the clock in the menu of the input among the measurements to {:.3g} s</source>
+        <translation>Der Eingang „{}“ ist {:.3g} s zu spät gestempelt ({:.2g} Abtastwerte; ein Mittel über den letzten Abtastschritt ist um einen halben verspätet): Die Suche rechnet damit, die berichteten Fehler nicht; die Uhr im Menü des Eingangs bei den Messungen auf {:.3g} s setzen</translation>
+    </message>
+    <message>
+        <source>'{}' does not begin where the model was told: what it begins with is estimated from it alone, and its errors are with that ({})</source>
+        <translation>„{}“ beginnt nicht dort, wo es dem Modell gesagt ist: Womit es beginnt, wird aus ihm allein geschätzt, und seine Fehler gelten damit ({})</translation>
+    </message>
+    <message>
+        <source>'{}' does not begin where the model was told: {} is {}{}{} there, not {:.5g}; it is fitted for this recording</source>
+        <translation>„{}“ beginnt nicht dort, wo es dem Modell gesagt ist: {} ist dort {}{}{}, nicht {:.5g}; es wird für diese Aufzeichnung angepasst</translation>
+    </message>
+    <message>
+        <source>what jumps has no slope: choose Straight between its samples in the menu of the input, or let the model filter it</source>
+        <translation>Was springt, hat keine Steigung: im Menü des Eingangs „Gerade zwischen den Abtastwerten“ wählen, oder das Modell filtern lassen</translation>
+    </message>
+    <message>
+        <source>Remove these rows, fill the cells, or leave them out with the range of the recording (or Trim above the traces).</source>
+        <translation>Diese Zeilen entfernen, die Zellen füllen, oder sie mit dem Bereich der Aufzeichnung auslassen (oder mit Zuschneiden über den Kurven).</translation>
+    </message>
+    <message>
+        <source>An input that is written only now and then is told how it runs between: Held or Straight between its samples, in its menu among the measurements.</source>
+        <translation>Einem Eingang, der nur hin und wieder geschrieben wird, ist zu sagen, wie er dazwischen verläuft: gehalten oder gerade zwischen den Abtastwerten, in seinem Menü bei den Messungen.</translation>
+    </message>
+    <message>
+        <source>Give the unit that its numbers are in in the header of the file: {} [unit].</source>
+        <translation>Die Einheit, in der seine Zahlen stehen, im Kopf der Datei angeben: {} [Einheit].</translation>
+    </message>
+    <message>
+        <source>Say which it is in the header of the file: {} [{}] or {} [{}].</source>
+        <translation>Im Kopf der Datei sagen, welche es ist: {} [{}] oder {} [{}].</translation>
+    </message>
+    <message>
+        <source>Where they are in another unit, give it in the header of the file: {} [unit].</source>
+        <translation>Stehen sie in einer anderen Einheit, sie im Kopf der Datei angeben: {} [Einheit].</translation>
+    </message>
+    <message>
+        <source>Map another column, or give the right unit in the header of the file: {} [unit].</source>
+        <translation>Eine andere Spalte zuordnen, oder die richtige Einheit im Kopf der Datei angeben: {} [Einheit].</translation>
+    </message>
+    <message>
+        <source>Between rows, inputs run linearly in '{}'. The range of the recording (or Trim above the traces) leaves a part out.</source>
+        <translation>Zwischen Zeilen verlaufen Eingänge linear in „{}“. Der Bereich der Aufzeichnung (oder Zuschneiden über den Kurven) lässt einen Teil aus.</translation>
+    </message>
+    <message>
+        <source>Map another column, or leave the channel out.</source>
+        <translation>Eine andere Spalte zuordnen oder den Kanal auslassen.</translation>
+    </message>
+    <message>
+        <source>Import the file again and choose the column of its stamps; or take channels of another group.</source>
+        <translation>Die Datei erneut importieren und die Spalte ihrer Zeitstempel wählen; oder Kanäle einer anderen Gruppe nehmen.</translation>
+    </message>
+    <message>
+        <source>An output is never resampled: take the raster of the outputs, or that of its own channel.</source>
+        <translation>Ein Ausgang wird nie umgetastet: das Raster der Ausgänge nehmen, oder das seines eigenen Kanals.</translation>
+    </message>
+    <message>
+        <source>Where that matters take its stamps: those of {}.</source>
+        <translation>Wo das zählt, seine Zeitstempel nehmen: die von {}.</translation>
+    </message>
+    <message>
+        <source>how a text is written has been told, and this is {}: it has no effect</source>
+        <translation>Es ist angegeben, wie ein Text geschrieben ist, und dies ist {}: ohne Wirkung</translation>
+    </message>
+    <message>
+        <source>Did the sensor or the logger stick? It is used as it stands; leave the part out with the range of the recording, or empty the cells of an output.</source>
+        <translation>Hing der Sensor oder der Logger? Es wird verwendet, wie es ist; den Teil mit dem Bereich der Aufzeichnung auslassen, oder die Zellen eines Ausgangs leeren.</translation>
+    </message>
+    <message>
+        <source>Say it at the import: the decimal sign is '{}' for {:.10g}, the sign between thousands is '{}' for {:.10g}.</source>
+        <translation>Beim Import sagen: Dezimalzeichen „{}“ für {:.10g}, Tausenderzeichen „{}“ für {:.10g}.</translation>
+    </message>
+    <message>
+        <source>the decimal sign and the sign between thousands are the same</source>
+        <translation>Dezimalzeichen und Tausenderzeichen sind dasselbe</translation>
+    </message>
+    <message>
+        <source>Split the file; or leave the first one out at the import: {} lines to skip.</source>
+        <translation>Die Datei teilen; oder die erste beim Import auslassen: {} Zeilen zu überspringen.</translation>
+    </message>
+    <message>
+        <source>Is it a measurement? If it is, say at the import how it is written: the separator, the decimal sign, the lines to skip before the header.</source>
+        <translation>Ist es eine Messung? Wenn ja, beim Import sagen, wie sie geschrieben ist: Trennzeichen, Dezimalzeichen, Zeilen zu überspringen vor dem Kopf.</translation>
+    </message>
+    <message>
+        <source>Where it is a charge, give the unit in the header of the file: [A.s].</source>
+        <translation>Ist es eine Ladung, die Einheit im Kopf der Datei angeben: [A.s].</translation>
+    </message>
+    <message>
+        <source>As inputs they are held from row to row with Held between its samples in the menu of the input.</source>
+        <translation>Als Eingänge werden sie von Zeile zu Zeile gehalten mit „Zwischen den Abtastwerten gehalten“ im Menü des Eingangs.</translation>
+    </message>
+    <message>
+        <source>Export the time with more digits, or tell the time between two rows at the import, as the form of the time: 0.001 s.</source>
+        <translation>Die Zeit mit mehr Stellen exportieren, oder die Zeit zwischen zwei Zeilen beim Import als Form der Zeit sagen: 0.001 s.</translation>
+    </message>
+    <message>
+        <source>Say how they are written at the import, as the form of the time: %d.%m.%Y %H:%M:%S.</source>
+        <translation>Beim Import sagen, wie sie geschrieben sind, als Form der Zeit: %d.%m.%Y %H:%M:%S.</translation>
+    </message>
+    <message>
+        <source>Write the time zone as Europe/Berlin, UTC or +02:00.</source>
+        <translation>Die Zeitzone als Europe/Berlin, UTC oder +02:00 schreiben.</translation>
+    </message>
+    <message>
+        <source>Tell how they are written at the import: form of the time and time zone.</source>
+        <translation>Beim Import sagen, wie sie geschrieben sind: Form der Zeit und Zeitzone.</translation>
+    </message>
+    <message>
+        <source>Say it at the import, as the form of the time: %d/%m/%Y %H:%M:%S or %m/%d/%Y %H:%M:%S.</source>
+        <translation>Beim Import als Form der Zeit sagen: %d/%m/%Y %H:%M:%S oder %m/%d/%Y %H:%M:%S.</translation>
+    </message>
+    <message>
+        <source>If it is summer time, tell the time zone of the clock at the import: Europe/Berlin; if it is not, UTC.</source>
+        <translation>Ist es Sommerzeit, beim Import die Zeitzone der Uhr sagen: Europe/Berlin; wenn nicht, UTC.</translation>
+    </message>
+    <message>
+        <source>Say it at the import, as the form of the time: %H:%M or %M:%S.</source>
+        <translation>Beim Import als Form der Zeit sagen: %H:%M oder %M:%S.</translation>
+    </message>
+    <message>
+        <source>The form of the time is written as %d.%m.%Y %H:%M:%S, or as the time between two rows: 0.001 s.</source>
+        <translation>Die Form der Zeit wird als %d.%m.%Y %H:%M:%S geschrieben, oder als Zeit zwischen zwei Zeilen: 0.001 s.</translation>
+    </message>
+    <message>
+        <source>how the file is written has an entry that is not known here: {}</source>
+        <translation>In dem, wie die Datei geschrieben ist, ist eine Angabe hier nicht bekannt: {}</translation>
+    </message>
+    <message>
+        <source>Tell the time between two rows at the import, as the form of the time: 0.001 s, or as a rate: 1 kHz.</source>
+        <translation>Die Zeit zwischen zwei Zeilen beim Import als Form der Zeit sagen: 0.001 s, oder als Rate: 1 kHz.</translation>
+    </message>
+    <message>
+        <source>Say it at the import, as the form of the time: s or d.</source>
+        <translation>Beim Import als Form der Zeit sagen: s oder d.</translation>
+    </message>
+    <message>
+        <source>The recording may have been started anew there: split the file before line {}, or use its first part alone (range {:.6g} … {:.6g} s). If the clock was set back, add {:.4g} s from there on. Sorting the rows would mix two recordings.</source>
+        <translation>Die Aufzeichnung ist dort vielleicht neu begonnen worden: die Datei vor Zeile {} teilen, oder nur ihren ersten Teil verwenden (Bereich {:.6g} … {:.6g} s). Ist die Uhr zurückgestellt worden, ab dort {:.4g} s addieren. Die Zeilen zu sortieren würde zwei Aufzeichnungen mischen.</translation>
+    </message>
+    <message>
+        <source>Give one among the parameters, or in the model.</source>
+        <translation>Einen bei den Parametern angeben, oder im Modell.</translation>
+    </message>
+    <message>
+        <source>Widen the bounds among the parameters, or do not fit it.</source>
+        <translation>Die Grenzen bei den Parametern erweitern, oder ihn nicht anpassen.</translation>
+    </message>
+    <message>
+        <source>Widen the bounds, or give another value among the parameters.</source>
+        <translation>Die Grenzen erweitern, oder bei den Parametern einen anderen Wert angeben.</translation>
+    </message>
+    <message>
+        <source>Start above 0: give another value among the parameters.</source>
+        <translation>Über 0 beginnen: bei den Parametern einen anderen Wert angeben.</translation>
+    </message>
+    <message>
+        <source>Set the clock of the output among the measurements to fit.</source>
+        <translation>Die Uhr des Ausgangs bei den Messungen auf anpassen setzen.</translation>
+    </message>
+    <message>
+        <source>Set the check box of a recording among the measurements.</source>
+        <translation>Bei den Messungen den Haken einer Aufzeichnung setzen.</translation>
+    </message>
+    <message>
+        <source>Say which {} it is: drag its column onto the signal among the measurements. Its groups: {}.</source>
+        <translation>Sagen, welcher Kanal „{}“ es ist: seine Spalte bei den Messungen auf das Signal ziehen. Seine Gruppen: {}.</translation>
+    </message>
+    <message>
+        <source>It holds words. If they are stamps of the time, tell how they are written at the import, as the form of the time: %d.%m.%Y %H:%M:%S.</source>
+        <translation>Es enthält Wörter. Sind es Zeitstempel, beim Import sagen, wie sie geschrieben sind, als Form der Zeit: %d.%m.%Y %H:%M:%S.</translation>
+    </message>
+    <message>
+        <source>Import the file again and choose its time column.</source>
+        <translation>Die Datei erneut importieren und ihre Zeitspalte wählen.</translation>
+    </message>
+    <message>
+        <source>It is an output of the model: take its column from the input, and map it there.</source>
+        <translation>Es ist ein Ausgang des Modells: seine Spalte dem Eingang nehmen und dort zuordnen.</translation>
+    </message>
+    <message>
+        <source>It is an input of the model: take its column from the output, and map it there.</source>
+        <translation>Es ist ein Eingang des Modells: seine Spalte dem Ausgang nehmen und dort zuordnen.</translation>
+    </message>
+    <message>
+        <source>Drag a column onto {} among the measurements. {}</source>
+        <translation>Bei den Messungen eine Spalte auf {} ziehen. {}</translation>
+    </message>
+    <message>
+        <source>Write the model, or take its text into the directory of the study as model.mo.</source>
+        <translation>Das Modell schreiben, oder seinen Text als model.mo in das Verzeichnis der Studie legen.</translation>
+    </message>
+    <message>
+        <source>Check parameters in the list of parameters.</source>
+        <translation>In der Liste der Parameter Haken setzen.</translation>
+    </message>
+    <message>
+        <source>Choose Held between its samples in its menu there, too, or Straight where it is meant.</source>
+        <translation>Auch dort in seinem Menü „Zwischen den Abtastwerten gehalten“ wählen, oder gerade, wo es so gemeint ist.</translation>
+    </message>
+    <message>
+        <source>this archive holds no study</source>
+        <translation>Dieses Archiv enthält keine Studie</translation>
+    </message>
+    <message>
+        <source>Choose a file that was saved as a study.</source>
+        <translation>Eine Datei wählen, die als Studie gespeichert wurde.</translation>
+    </message>
+    <message>
+        <source>Choose a study file, or the directory of a study.</source>
+        <translation>Eine Studiendatei wählen, oder das Verzeichnis einer Studie.</translation>
+    </message>
+    <message>
+        <source>this directory holds no study</source>
+        <translation>Dieses Verzeichnis enthält keine Studie</translation>
+    </message>
+    <message>
+        <source>Choose a directory that was saved as a study.</source>
+        <translation>Ein Verzeichnis wählen, das als Studie gespeichert wurde.</translation>
+    </message>
+    <message>
+        <source>the path of the measurement cannot be kept in the study: {}</source>
+        <translation>Der Pfad der Messung lässt sich in der Studie nicht festhalten: {}</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingsModel</name>
+    <message>
+        <source>the simulation stops at %1 s</source>
+        <translation>die Simulation endet bei %1 s</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>anpassen</translation>
+    </message>
+    <message>
+        <source>validate</source>
+        <translation>validieren</translation>
+    </message>
+    <message>
+        <source>Left out until this is mended:</source>
+        <translation>Ausgelassen, bis dies behoben ist:</translation>
+    </message>
+    <message>
+        <source>Clear the check box to leave the recording out of all work</source>
+        <translation>Haken entfernen, um die Aufzeichnung überall auszulassen</translation>
+    </message>
+    <message>
+        <source>Left out of all work; set the check box to take it in</source>
+        <translation>Überall ausgelassen; Haken setzen, um sie einzubeziehen</translation>
+    </message>
+    <message>
+        <source>Used to fit and to choose effects</source>
+        <translation>Dient zum Anpassen und zum Wählen von Effekten</translation>
+    </message>
+    <message>
+        <source>Only reported; never used to fit or to choose</source>
+        <translation>Wird nur berichtet; nie zum Anpassen oder Wählen verwendet</translation>
+    </message>
+    <message>
+        <source>How much each output of the recording counts in a fit beside those of others: 1 is the common weight, 0 leaves it out</source>
+        <translation>Wie viel jeder Ausgang der Aufzeichnung bei einer Anpassung neben denen anderer zählt: 1 ist das übliche Gewicht, 0 lässt ihn aus</translation>
+    </message>
+    <message>
+        <source>Error of this output in the present run, before → after, in % of its range</source>
+        <translation>Fehler dieses Ausgangs im gezeigten Lauf, vorher → nachher, in % seiner Spanne</translation>
+    </message>
+    <message>
+        <source>Error %1</source>
+        <translation>Fehler %1</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Mangel</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Abtastwerte</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>%1 recordings</source>
+        <translation>%1 Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Take %1 in</source>
+        <translation>%1 einbeziehen</translation>
+    </message>
+    <message>
+        <source>Leave %1 out</source>
+        <translation>%1 auslassen</translation>
+    </message>
+    <message>
+        <source>Use %1 to fit</source>
+        <translation>%1 zur Anpassung verwenden</translation>
+    </message>
+    <message>
+        <source>Use %1 to validate</source>
+        <translation>%1 zur Validierung verwenden</translation>
+    </message>
+    <message>
+        <source>Weigh %1</source>
+        <translation>%1 gewichten</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingsPage</name>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Click a heading to sort. Space takes the marked rows in or out; roles and weights are edited in their cells.</source>
+        <translation>Ein Klick auf eine Überschrift sortiert. Die Leertaste lässt die markierten Zeilen aus oder bezieht sie ein; Rollen und Gewichte werden in ihren Zellen geändert.</translation>
+    </message>
+    <message>
+        <source>Fit the marked</source>
+        <translation>Markierte anpassen</translation>
+    </message>
+    <message>
+        <source>Fit the marked (%1)</source>
+        <translation>Markierte anpassen (%1)</translation>
+    </message>
+    <message>
+        <source>Search in the marked</source>
+        <translation>In Markierten suchen</translation>
+    </message>
+    <message>
+        <source>Search in the marked (%1)</source>
+        <translation>In Markierten suchen (%1)</translation>
+    </message>
+    <message>
+        <source>Mark rows first: Ctrl and Shift with a click or an arrow, Ctrl+A for all</source>
+        <translation>Zuerst Zeilen markieren: Strg und Umschalt mit Klick oder Pfeil, Strg+A für alle</translation>
+    </message>
+    <message>
+        <source>None of the marked recordings is used and there to fit</source>
+        <translation>Keine der markierten Aufzeichnungen wird verwendet und dient der Anpassung</translation>
+    </message>
+    <message>
+        <source>A run is under way</source>
+        <translation>Ein Lauf ist im Gang</translation>
+    </message>
+    <message>
+        <source>Estimate the checked parameters from these recordings alone</source>
+        <translation>Die angehakten Parameter aus diesen Aufzeichnungen allein schätzen</translation>
+    </message>
+    <message>
+        <source>Find the effect that the model lacks in these recordings alone</source>
+        <translation>In diesen Aufzeichnungen allein den Effekt finden, der dem Modell fehlt</translation>
+    </message>
+    <message>
+        <source>Take the marked in</source>
+        <translation>Markierte einbeziehen</translation>
+    </message>
+    <message>
+        <source>Leave the marked out</source>
+        <translation>Markierte auslassen</translation>
+    </message>
+    <message>
+        <source>Use the marked to fit</source>
+        <translation>Markierte zur Anpassung verwenden</translation>
+    </message>
+    <message>
+        <source>Use the marked to validate</source>
+        <translation>Markierte zur Validierung verwenden</translation>
+    </message>
+    <message>
+        <source>Show the values</source>
+        <translation>Werte zeigen</translation>
+    </message>
+    <message>
+        <source>Locate the file …</source>
+        <translation>Datei suchen …</translation>
+    </message>
+    <message>
+        <source>Sort by %1</source>
+        <translation>Nach %1 sortieren</translation>
     </message>
 </context>
 </TS>

@@ -50,8 +50,8 @@ TEST_F(GermanWords, SayPatternArgumentsAndWhatFollows) {
     EXPECT_EQ(inWords(phrase("{} rests at its lower bound {:.6g}", "R", 0.25)), "R liegt an der unteren Grenze 0,25");
     EXPECT_EQ(inWords(phrase("{} cannot be told apart from these data: fix one", listed({"R", "k"}))),
               "R und k lassen sich mit diesen Daten nicht unterscheiden: einen festhalten");
-    EXPECT_EQ(inWords(phrase("Map the output as {{\"column\": …, \"clock\": \"fit\"}}.")),
-              QString::fromUtf8("Den Ausgang als {\"column\": …, \"clock\": \"fit\"} zuordnen."));
+    EXPECT_EQ(inWords(phrase("A prior is {{\"mean\": …, \"std\": …}}.")),
+              QString::fromUtf8("Vorwissen ist {\"mean\": …, \"std\": …}."));
     EXPECT_EQ(inWords(phrase("{} rests at its lower bound {:.6g}", "stage.2.5", 0.25)),
               "stage.2.5 liegt an der unteren Grenze 0,25")
         << "a name is no number";

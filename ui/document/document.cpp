@@ -59,7 +59,7 @@ void Document::open(const QString& path) {
     const std::filesystem::path file = path.toStdString();
     reader_.start<Opened>(
         tr("Reading %1").arg(QString::fromStdString(file.filename().string())),
-        [file](const Progress&) { return withLibrary<Opened>(openStudy(file)); },
+        [file](const Progress&) { return withLibrary<Opened>(openStudy(file, UnreadMeasurement::Kept)); },
         [this, path](Opened read) {
             read.path = path;
             show(std::move(read));
@@ -69,7 +69,8 @@ void Document::open(const QString& path) {
 void Document::openRecovered(const QString& recovery, const QString& path) {
     const std::filesystem::path file = recovery.toStdString();
     reader_.start<Opened>(
-        tr("Reading what was recovered"), [file](const Progress&) { return withLibrary<Opened>(openStudy(file)); },
+        tr("Reading what was recovered"),
+        [file](const Progress&) { return withLibrary<Opened>(openStudy(file, UnreadMeasurement::Kept)); },
         [this, recovery, path](Opened read) {
             read.path = path;
             read.recoveredFrom = recovery;
@@ -357,7 +358,7 @@ const FaultyRecording* Document::leftOut(const std::string& recording) const {
 
 bool Document::canRun() const {
     return isOpen() && std::any_of(study_->experiments.begin(), study_->experiments.end(),
-                                   [](const StudyExperiment& e) { return !e.outputs.empty(); });
+                                   [](const StudyExperiment& e) { return e.isUsed && !e.outputs.empty(); });
 }
 
 void Document::setRunMessages(Diagnostics messages) { setMessages(Message::Origin::Run, messages); }

@@ -191,8 +191,9 @@ void Document::restoreRun(const RunRecord& chosen) {
     keepPlots();
     settings.plots = record.plots.empty() ? study_->extraJson : withPlots(study_->extraJson, record.plots);
     // A recording that was taken out of the study before it was saved is in no file any more.
-    const std::size_t gone =
-        std::erase_if(settings.experiments, [&](const auto& e) { return !fileTable(settings.tables, e); });
+    const std::size_t gone = std::erase_if(settings.experiments, [&](const auto& e) {
+        return !fileTable(settings.tables, e) && !study_->unread.contains(tableKey(e));
+    });
     applySettings(std::move(settings), tr("Go back to the run of %1").arg(record.when));
     if (gone > 0)
         return setRunMessages({warning(phrase("{} recordings of that run are not part of the study any more", gone))});

@@ -29,7 +29,7 @@ bool isSame(const std::map<std::string, Value>& a, const std::map<std::string, V
 
 bool isSame(const StudyExperiment& a, const StudyExperiment& b) {
     return a.name == b.name && a.role == b.role && a.file == b.file && a.timeColumn == b.timeColumn &&
-           a.range == b.range && isSame(a.inputs, b.inputs) && isSame(a.outputs, b.outputs) &&
+           a.range == b.range && a.isUsed == b.isUsed && isSame(a.inputs, b.inputs) && isSame(a.outputs, b.outputs) &&
            isSame(a.initial, b.initial);
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/study/left_out.hpp"
+#include "core/study/marked_part.hpp"
 #include "core/study/measured.hpp"
 #include "ui/style/number.hpp"
 #include "ui/words/words.hpp"
@@ -155,30 +156,59 @@ RunController::RunController(Document& document, QObject* parent) : QObject(pare
 }
 
 void RunController::tryEffect(const EffectChoice& choice) {
+    if (!document_.isOpen()) return;
     RunOptions options = options_;
     options.discover.choices = {choice};
     options.discover.maxRounds = 1;
-    start(RunKind::Discover, options);
+    start(RunKind::Discover, options, document_.study());
 }
 
-void RunController::start(RunKind kind, const RunOptions& options) {
-    if (!document_.isOpen() || run_.isBusy()) return;
+void RunController::start(RunKind kind) {
+    if (document_.isOpen()) start(kind, options_, document_.study());
+}
+
+void RunController::startOn(RunKind kind, const std::set<std::string>& recordings) {
+    if (document_.isOpen()) start(kind, options_, markedPart(document_.study(), recordings));
+}
+
+/// Marks of recordings that a run on others does not look at.
+std::vector<FaultyRecording> RunController::stillLeftOut(const Study& part) const {
+    std::vector<FaultyRecording> known;
+    for (std::size_t i = 0; i < part.experiments.size(); ++i)
+        if (!part.experiments[i].isUsed && document_.study().experiments[i].isUsed)
+            if (const FaultyRecording* const faulty = document_.leftOut(part.experiments[i].name))
+                known.push_back(*faulty);
+    return known;
+}
+
+void RunController::start(RunKind kind, const RunOptions& options, const Study& part) {
+    if (run_.isBusy()) return;
     if (kind == RunKind::Fit && !hasFitted(document_.study())) {
         Q_EMIT parametersWanted();
         return Q_EMIT concluded(tr("There is nothing to fit yet: check parameters in the list."));
     }
     leaveEffect();
     document_.setRunMessages({});
+    failedAt_.reset();
     if (document_.before()) preview_.drop();  // else its traces are what a fit is watched against
     simulator_.reset();
     const Study study = document_.study();
     const unsigned long revision = revision_ = document_.revision();
+    part_ = part;
     clock_.start();
     run_.start<SoundRun>(
         runName(kind),
-        [kind, study, options](const Progress& progress) { return runSound(kind, study, options, progress); },
-        [this, kind, study, revision](SoundRun sound) {
-            if (revision == document_.revision()) document_.setLeftOut(std::move(sound.leftOut));
+        [kind, study, part, options](const Progress& progress) {
+            SoundRun sound = runSound(kind, part, options, progress);
+            if (sound.run) *sound.run = forWhole(std::move(*sound.run), study, part);
+            return sound;
+        },
+        [this, kind, study, part, revision](SoundRun sound) {
+            if (revision == document_.revision()) {
+                const std::vector<FaultyRecording> others = stillLeftOut(part);
+                sound.leftOut.insert(sound.leftOut.end(), others.begin(), others.end());
+                document_.setLeftOut(std::move(sound.leftOut));
+            }
             conclude(kind, study, revision, std::move(sound.run));
         });
 }
@@ -198,7 +228,7 @@ void RunController::simulateBest() {
     };
     live_.start<Watched>(
         tr("Simulation"),
-        [study = document_.study(), options = options_, simulator = simulator_,
+        [study = part_, options = options_, simulator = simulator_,
          best = std::exchange(best_, {})](const Progress& progress) {
             Watched watched{simulator, {}};
             if (!watched.simulator)
@@ -223,6 +253,7 @@ void RunController::stopWatching() {
     liveDelay_.stop();
     live_.drop();
     best_.clear();
+    part_ = {};
     simulator_.reset();
     document_.setLiveTraces(std::nullopt);
 }
@@ -287,6 +318,7 @@ void RunController::conclude(RunKind kind, const Study& ranOn, unsigned long rev
     if (!outcome) {
         if (run_.isCancelling()) return Q_EMIT concluded(tr("%1 stopped.").arg(name));
         document_.setRunMessages(outcome.diagnostics());
+        failedAt_ = revision;
         return Q_EMIT concluded(tr("%1 failed: see the messages.").arg(name));
     }
     if (revision != document_.revision()) {
@@ -321,12 +353,18 @@ void RunController::preview() {
         simulateAsItStands();
 }
 
+void RunController::forgetMended(bool isSound) {
+    if (!isSound || !failedAt_ || *failedAt_ == document_.revision()) return;
+    failedAt_.reset();
+    document_.setRunMessages({});
+}
+
 /// Whether the study has recordings of which nothing is shown.
 bool RunController::hasNewRecordings() const {
     const std::shared_ptr<const ModelState> shown = document_.before() ? document_.before() : document_.measured();
     const std::vector<StudyExperiment>& recorded = document_.study().experiments;
     return std::any_of(recorded.begin(), recorded.end(), [&](const StudyExperiment& e) {
-        if (shown && document_.leftOut(e.name)) return false;
+        if (!e.isUsed || (shown && document_.leftOut(e.name))) return false;
         return !shown || std::none_of(shown->experiments.begin(), shown->experiments.end(),
                                       [&](const ExperimentState& s) { return s.name == e.name; });
     });
@@ -365,6 +403,7 @@ void RunController::simulateAsItStands() {
             const bool isTold = !run && (document_.modelError() || !document_.definition());
             document_.setLeftOut(std::move(seen.sound.leftOut));
             document_.setCheckMessages(isTold ? Diagnostics() : run.diagnostics());
+            forgetMended(run.hasValue());
             if (run) return document_.setSimulated(std::move(run->finding.baseline));
             document_.setMeasured(std::move(seen.measured));
         });

@@ -3,6 +3,8 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <set>
+#include <string>
 
 #include "core/effect/tell/preview.hpp"
 #include "ui/document/document.hpp"
@@ -18,7 +20,9 @@ class RunController : public QObject {
 public:
     RunController(Document& document, QObject* parent = nullptr);
 
-    void start(RunKind kind) { start(kind, options_); }
+    void start(RunKind kind);
+    /// On these recordings alone; the study stays as it is.
+    void startOn(RunKind kind, const std::set<std::string>& recordings);
     /// A discovery that knows this effect at this place alone: what the model would be with it.
     void tryEffect(const EffectChoice& choice);
     /// Works out what the traces would be with this effect and shows them until leaveEffect(); nothing is kept.
@@ -40,12 +44,16 @@ Q_SIGNALS:
     void parametersWanted();
 
 private:
-    void start(RunKind kind, const RunOptions& options);
+    /// `part`: the study, or with some of its recordings alone.
+    void start(RunKind kind, const RunOptions& options, const Study& part);
+    std::vector<FaultyRecording> stillLeftOut(const Study& part) const;
     void preview();
     /// What was measured is there at once, however long the simulation takes.
     void showMeasured();
     void simulateAsItStands();
     bool hasNewRecordings() const;
+    /// Why a run has failed is told until the study is another one that works.
+    void forgetMended(bool isSound);
     void previewEffect();
     /// Simulates the best values a fit has reported, a few times a second and beside it.
     void watch(const Progress::Report& report);
@@ -60,9 +68,11 @@ private:
     QTimer previewDelay_;
     QTimer patience_;  // that a simulation of the model as it stands may take unseen
     bool isPreviewShown_{}, isOpened_{};
-    QElapsedTimer clock_;       // of the run
-    unsigned long revision_{};  // of the study it runs on
-    JobRunner live_;            // simulates the best so far while a fit runs
+    QElapsedTimer clock_;                    // of the run
+    unsigned long revision_{};               // of the study it runs on
+    Study part_;                             // of which it looks at the recordings that are used
+    std::optional<unsigned long> failedAt_;  // revision of the study whose run has failed and is still told of
+    JobRunner live_;                         // simulates the best so far while a fit runs
     QTimer liveDelay_;
     std::vector<Progress::Value> best_;                         // as last reported and not simulated yet
     std::shared_ptr<const Outcome<TraceSimulator>> simulator_;  // of the run; null: not compiled yet

@@ -22,7 +22,9 @@
 #include "core/measure/common_raster.hpp"
 #include "core/study/recorded.hpp"
 #include "ui/document/document.hpp"
+#include "ui/measurement/locate.hpp"
 #include "ui/measurement/mapping.hpp"
+#include "ui/measurement/recording_extent.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
@@ -111,26 +113,6 @@ std::optional<std::pair<double, double>> readRange(const QString& typed) {
     const QRegularExpressionMatch match = form.match(typed.trimmed());
     const std::optional<double> from = style::readNumber(match.captured(1)), to = style::readNumber(match.captured(2));
     return from && to && *from < *to ? std::optional(std::pair(*from, *to)) : std::nullopt;
-}
-
-MeasurementPanel::Extent extentOf(const Table& table, const StudyExperiment& experiment) {
-    MeasurementPanel::Extent extent{table.rows(), {}, {}};
-    const Column* time = table.find(experiment.timeColumn, experiment.timeGroup);
-    if (!time || time->values.empty()) return extent;
-    const double first = experiment.range ? experiment.range->first : time->values.front();
-    const double last = experiment.range ? experiment.range->second : time->values.back();
-    extent.length = last - first;
-    extent.unit = time->unit.empty() ? "s" : time->unit;
-    return extent;
-}
-
-/// Length of a recording as people say it.
-QString extentText(const MeasurementPanel::Extent& extent) {
-    QString text = MeasurementPanel::tr("%1 samples").arg(style::countText(extent.samples));
-    if (extent.length)
-        text +=
-            QStringLiteral(" · %1 %2").arg(style::numberText(*extent.length, 6), QString::fromStdString(extent.unit));
-    return text;
 }
 
 }  // namespace
@@ -227,7 +209,8 @@ MeasurementPanel::MeasurementPanel(Document& document, QWidget* parent)
       pages_(new QStackedLayout),
       empty_(new QLabel(this)),
       import_(new QToolButton(this)),
-      propose_(new QToolButton(this)) {
+      propose_(new QToolButton(this)),
+      table_(new QToolButton(this)) {
     tree_->setColumnCount(ColumnCount);
     tree_->setHeaderLabels({tr("Model"), tr("Column"), tr("Clock")});
     tree_->headerItem()->setToolTip(Clock, clockTip(true));
@@ -255,7 +238,9 @@ MeasurementPanel::MeasurementPanel(Document& document, QWidget* parent)
     import_->setToolTip(tr("Add a recording to the study"));
     propose_->setText(tr("Propose mapping"));
     propose_->setToolTip(tr("Give signals without a column the one that fits by unit and name"));
-    for (QToolButton* b : {import_, propose_}) {
+    table_->setText(tr("Table"));
+    table_->setToolTip(tr("All recordings as a table: sort them, edit role and weight, fit some of them alone"));
+    for (QToolButton* b : {import_, propose_, table_}) {
         b->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         b->setAutoRaise(true);
     }
@@ -264,6 +249,7 @@ MeasurementPanel::MeasurementPanel(Document& document, QWidget* parent)
     bar->setSpacing(style::unit);
     bar->addWidget(import_);
     bar->addWidget(propose_);
+    bar->addWidget(table_);
     bar->addStretch(1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -275,8 +261,12 @@ MeasurementPanel::MeasurementPanel(Document& document, QWidget* parent)
     for (auto signal : {&Document::opened, &Document::experimentsChanged, &Document::factsChanged})
         connect(&document, signal, this, &MeasurementPanel::refresh);
     connect(&document, &Document::leftOutChanged, this, &MeasurementPanel::markLeftOut);
+    connect(tree_, &QTreeWidget::itemChanged, this, [this](const QTreeWidgetItem* item, int column) {
+        if (column == Model && !item->parent()) setUsed(item, item->checkState(Model) == Qt::Checked);
+    });
     connect(import_, &QToolButton::clicked, this, &MeasurementPanel::browseWanted);
     connect(propose_, &QToolButton::clicked, this, &MeasurementPanel::propose);
+    connect(table_, &QToolButton::clicked, this, &MeasurementPanel::tableWanted);
     connect(tree_, &QWidget::customContextMenuRequested, this, &MeasurementPanel::showMenu);
     connect(tree_, &QTreeWidget::itemDoubleClicked, this, &MeasurementPanel::showValuesOf);
     connect(tree_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
@@ -381,6 +371,23 @@ void MeasurementPanel::setRole(const QTreeWidgetItem* item, bool isFit) {
            [&](StudyExperiment& e) { e.role = isFit ? Role::Fit : Role::Validate; });
 }
 
+void MeasurementPanel::setUsed(const QTreeWidgetItem* item, bool isUsed) {
+    const StudyExperiment* experiment = experimentOf(item);
+    if (!experiment || experiment->isUsed == isUsed) return;
+    const QString name = QString::fromStdString(experiment->name);
+    const QString what = isUsed ? tr("Take %1 in") : tr("Leave %1 out");
+    // The row that was clicked is built anew: not before its own signal is done.
+    QMetaObject::invokeMethod(
+        this,
+        [this, name, what, isUsed] {
+            for (int i = 0; i < tree_->topLevelItemCount(); ++i)
+                if (const QTreeWidgetItem* top = tree_->topLevelItem(i);
+                    top->data(0, experimentRole).toString() == name)
+                    return change(top, what.arg(name), [&](StudyExperiment& e) { e.isUsed = isUsed; });
+        },
+        Qt::QueuedConnection);
+}
+
 void MeasurementPanel::setRange(const QTreeWidgetItem* item, const QString& text) {
     const std::optional<std::pair<double, double>> range = readRange(text);
     if (!range && !text.trimmed().isEmpty() && text != tr("all")) return;
@@ -429,6 +436,8 @@ void MeasurementPanel::showMenu(QPoint at) {
         while (item->parent()) item = item->parent();
         const bool isFit = experiment->role == Role::Fit;
         menu->addSeparator();
+        const QString name = item->data(0, experimentRole).toString();
+        menu->addAction(tr("Locate the file …"), this, [this, name] { Q_EMIT locateWanted(name); });
         menu->addAction(tr("Show the values"), this,
                         [this, item] { Q_EMIT valuesWanted(item->data(0, experimentRole).toString()); });
         menu->addAction(isFit ? tr("Use to validate") : tr("Use to fit"), this,
@@ -439,10 +448,13 @@ void MeasurementPanel::showMenu(QPoint at) {
     menu->popup(tree_->viewport()->mapToGlobal(at));
 }
 
-/// Where it is the row of a recording's file.
+/// Where it is the row of a recording's file; of one that was not read, another is looked for.
 void MeasurementPanel::showValuesOf(const QTreeWidgetItem* item) {
-    if (static_cast<Kind>(item->data(0, kindRole).toInt()) != Kind::Info) return;
-    Q_EMIT valuesWanted(item->parent()->data(0, experimentRole).toString());
+    const Kind kind = static_cast<Kind>(item->data(0, kindRole).toInt());
+    if (kind != Kind::Info && kind != Kind::Unread) return;
+    const QString experiment = item->parent()->data(0, experimentRole).toString();
+    if (isUnread(document_, experiment)) return Q_EMIT locateWanted(experiment);
+    if (kind == Kind::Info) Q_EMIT valuesWanted(experiment);
 }
 
 QTreeWidgetItem* MeasurementPanel::signalItem(const QString& experiment, const QString& signal) const {
@@ -484,19 +496,24 @@ void MeasurementPanel::addSpares(QTreeWidgetItem* top, const Table& file, const 
     top->addChildren(items);
 }
 
-void MeasurementPanel::showExtent(QTreeWidgetItem* info, const Extent& extent) {
+void MeasurementPanel::showExtent(QTreeWidgetItem* info, const RecordingExtent& extent) {
     const QString text = QStringLiteral(" · ") + extentText(extent);
     info->setText(0, info->text(0) + text);
     info->setToolTip(0, info->toolTip(0).replace('\n', text + '\n'));
 }
 
+/// A range is looked for in every row.
+bool MeasurementPanel::isExtentAtHand(const StudyExperiment& experiment) const {
+    return !experiment.range && isAtHand(document_.study().tables, experiment);
+}
+
 /// Channels of several rasters are joined beside the window: that may take a while.
 void MeasurementPanel::measureExtents() {
-    using Extents = std::vector<std::pair<QString, Extent>>;
+    using Extents = std::vector<std::pair<QString, RecordingExtent>>;
     std::vector<StudyExperiment> experiments;
     if (document_.isOpen())
         for (const StudyExperiment& e : document_.study().experiments)
-            if (!isAtHand(document_.study().tables, e)) experiments.push_back(e);
+            if (!isExtentAtHand(e)) experiments.push_back(e);
     if (experiments.empty()) return measurer_.drop();
     measurer_.start<Extents>(
         tr("Reading"),
@@ -520,16 +537,39 @@ void MeasurementPanel::measureExtents() {
 }
 
 void MeasurementPanel::markLeftOut() {
+    const QSignalBlocker blocker(tree_);
     for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
         QTreeWidgetItem* const top = tree_->topLevelItem(i);
-        const FaultyRecording* const faulty = document_.leftOut(top->data(0, experimentRole).toString().toStdString());
+        const StudyExperiment* const experiment = experimentOf(top);
+        const bool isUsed = experiment && experiment->isUsed;
+        const bool isMissing = isUnread(document_, top->data(0, experimentRole).toString());
+        const FaultyRecording* const faulty =
+            isUsed ? document_.leftOut(top->data(0, experimentRole).toString().toStdString()) : nullptr;
         QStringList why;
         for (const Diagnostic& said : faulty ? faulty->why : Diagnostics())
             if (said.severity == Severity::Error) why << inWords(said.message);
-        top->setIcon(0, style::icon(faulty ? "warning" : "recording"));
-        top->setForeground(0, faulty ? QBrush(style::caution(palette())) : QBrush());
-        top->setToolTip(0, faulty ? tr("Left out until this is mended:") + "\n" + why.join('\n') : QString());
+        top->setIcon(0, style::icon(isMissing ? "error" : faulty ? "warning" : "recording"));
+        top->setForeground(0, !isUsed               ? QBrush(style::mutedText(palette()))
+                              : faulty || isMissing ? QBrush(style::caution(palette()))
+                                                    : QBrush());
+        top->setToolTip(0, faulty   ? tr("Left out until this is mended:") + "\n" + why.join('\n')
+                           : isUsed ? tr("Clear the check box to leave the recording out of all work")
+                                    : tr("Left out of all work; set the check box to take it in"));
     }
+}
+
+/// Why there is nothing of the file, and what to do.
+void MeasurementPanel::addUnread(QTreeWidgetItem* top, const StudyExperiment& experiment) {
+    if (!isUnread(document_, QString::fromStdString(experiment.name))) return;
+    const Diagnostics& faults = document_.study().unread.at(tableKey(experiment));
+    auto* item = addRow(top, Kind::Unread, inWords(faults.front().message), {});
+    item->setFirstColumnSpanned(true);
+    item->setIcon(0, style::icon("error"));
+    item->setForeground(0, style::fault(palette()));
+    QStringList tip;
+    for (const Diagnostic& d : faults) tip << inWords(d.message);
+    tip << tr("Double-click or Enter looks for the file");
+    item->setToolTip(0, tip.join('\n'));
 }
 
 void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
@@ -548,6 +588,7 @@ void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
     QFont bold = top->font(0);
     bold.setWeight(QFont::DemiBold);
     top->setFont(0, bold);
+    top->setCheckState(0, experiment.isUsed ? Qt::Checked : Qt::Unchecked);
     top->setToolTip(
         1, isFit ? tr("Used to fit and to choose effects") : tr("Only reported; never used to fit or to choose"));
     top->setForeground(1, isFit ? style::accentText(palette()) : muted);
@@ -555,7 +596,8 @@ void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
     info->setFirstColumnSpanned(true);
     info->setForeground(0, muted);
     info->setToolTip(0, QString::fromStdString(experiment.file) + "\n" + tr("Double-click or Enter shows the values"));
-    if (table && isAtHand(document_.study().tables, experiment)) showExtent(info, extentOf(*table, experiment));
+    addUnread(top, experiment);
+    if (table && isExtentAtHand(experiment)) showExtent(info, extentOf(*table, experiment));
 
     std::set<QString> used{labelText(table, {experiment.timeColumn, experiment.timeGroup})};
     const auto add = [&](const std::map<std::string, ChannelMapping>& channels,
@@ -614,6 +656,7 @@ void MeasurementPanel::refresh() {
     tree_->clear();
     const bool isOpen = document_.isOpen();
     import_->setEnabled(isOpen);
+    table_->setEnabled(isOpen && !document_.study().experiments.empty());
     propose_->setEnabled(isOpen && !document_.study().experiments.empty());
     if (isOpen)
         for (const StudyExperiment& experiment : document_.study().experiments) addExperiment(experiment);
@@ -640,8 +683,9 @@ bool MeasurementPanel::eventFilter(QObject* watched, QEvent* event) {
         }
         const bool isEnter = key == Qt::Key_Return || key == Qt::Key_Enter;
         if (isEnter && tree_->currentItem() && tree_->hasFocus()) {  // and not the end of typing in a field
-            showValuesOf(tree_->currentItem());
-            tree_->editItem(tree_->currentItem(), 1);
+            QTreeWidgetItem* const item = tree_->currentItem();
+            showValuesOf(item);
+            tree_->editItem(item, 1);
             return true;
         }
         return false;

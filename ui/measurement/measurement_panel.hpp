@@ -18,7 +18,8 @@ class QTreeWidgetItem;
 namespace analogon::ui {
 
 class Document;
-}
+struct RecordingExtent;
+}  // namespace analogon::ui
 namespace analogon {
 struct ChannelMapping;
 struct StudyExperiment;
@@ -32,13 +33,6 @@ class MeasurementPanel : public QWidget {
 
 public:
     explicit MeasurementPanel(Document& document, QWidget* parent = nullptr);
-
-    /// How long a recording is, on the raster of its experiment.
-    struct Extent {
-        std::size_t samples{};
-        std::optional<double> length{};
-        std::string unit{};
-    };
 
     QTreeWidget* tree() const { return tree_; }
     /// Shows a file as it will be read; it becomes an experiment when the user accepts it.
@@ -56,6 +50,8 @@ Q_SIGNALS:
     void importWanted(const QString& path);
     void browseWanted();
     void valuesWanted(const QString& experiment);
+    void locateWanted(const QString& experiment);
+    void tableWanted();
     void comparisonWanted(const QString& signal, const QString& experiment);
 
 protected:
@@ -63,18 +59,21 @@ protected:
 
 private:
     friend class MappingDelegate;
-    enum class Kind { Experiment, Info, Input, Output, Spare, Range };
+    enum class Kind { Experiment, Info, Unread, Input, Output, Spare, Range };
     enum TreeColumn { Model, Source, Clock, ColumnCount };
     void refresh();
     void addExperiment(const StudyExperiment& experiment);
-    /// A recording with a fault is told from those that are used, and why it is not is said where one points.
+    /// A recording that is not used, or has a fault, is told from the others, and why is said where one points.
     void markLeftOut();
+    void addUnread(QTreeWidgetItem* top, const StudyExperiment& experiment);
     void addSpares(QTreeWidgetItem* top, const Table& file, const std::set<QString>& used);
     void measureExtents();
-    static void showExtent(QTreeWidgetItem* info, const Extent& extent);
+    bool isExtentAtHand(const StudyExperiment& experiment) const;
+    static void showExtent(QTreeWidgetItem* info, const RecordingExtent& extent);
     QTreeWidgetItem* addRow(QTreeWidgetItem* top, Kind kind, const QString& text, const QString& value);
     void map(const QTreeWidgetItem* item, const QString& column);
     void setRole(const QTreeWidgetItem* item, bool isFit);
+    void setUsed(const QTreeWidgetItem* item, bool isUsed);
     void setRange(const QTreeWidgetItem* item, const QString& text);
     /// "fit", seconds, or a number with a unit of time; what is none of these changes nothing.
     void setClock(const QTreeWidgetItem* item, const QString& typed);
@@ -91,7 +90,7 @@ private:
     QTreeWidget* tree_;
     QStackedLayout* pages_;
     QLabel* empty_;
-    QToolButton *import_, *propose_;
+    QToolButton *import_, *propose_, *table_;
     QString draggedColumn_;  // under way to a signal; empty: none
     QPoint pressedAt_;
     bool isDragging_{};

@@ -4,11 +4,13 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QStackedLayout>
+#include <algorithm>
 #include <set>
 #include <tuple>
 
 #include "ui/document/document.hpp"
 #include "ui/document/mention.hpp"
+#include "ui/messages/unfinished.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
 
@@ -28,7 +30,13 @@ QString iconName(Severity severity) {
     return QStringLiteral("note");
 }
 
+/// What a study says of itself is worked on in the panels, and its file is no place to go to.
+bool hasPlace(const Place& place) {
+    return place.line > 0 && QFileInfo(QString::fromStdString(place.file)).fileName() != QLatin1String("study.json");
+}
+
 QString placeText(const Place& place) {
+    if (!hasPlace(place) && place.line > 0) return {};
     QString text = QFileInfo(QString::fromStdString(place.file)).fileName();
     if (place.line > 0) text += QStringLiteral(":%1").arg(place.line);
     if (place.column > 0) text += QStringLiteral(":%1").arg(place.column);
@@ -56,7 +64,7 @@ MessagePanel::MessagePanel(Document& document, QWidget* parent)
         const auto row = item->data(Qt::UserRole).toUInt();
         if (row >= document_.messages().size()) return;
         const Diagnostic& d = document_.messages()[row].diagnostic;
-        if (d.place.line > 0) return Q_EMIT placeChosen(d.place);
+        if (hasPlace(d.place)) return Q_EMIT placeChosen(d.place);
         if (const auto mention = mentionIn(document_, d.message)) Q_EMIT mentionChosen(*mention);
     };
     connect(list_, &QListWidget::itemClicked, this, choose);
@@ -64,6 +72,8 @@ MessagePanel::MessagePanel(Document& document, QWidget* parent)
 }
 
 void MessagePanel::pointAtError() {
+    isRunAsked_ = true;
+    refresh();
     for (int row = 0; row < list_->count(); ++row) {
         const auto message = list_->item(row)->data(Qt::UserRole).toUInt();
         if (message >= document_.messages().size() ||
@@ -74,8 +84,19 @@ void MessagePanel::pointAtError() {
     }
 }
 
+/// What is not connected yet is no error before a run is asked for.
+bool MessagePanel::isHint(const Message& message) const {
+    const auto isSaidByRun = [&](const Message& other) {
+        return other.origin == Message::Origin::Run && other.diagnostic.message == message.diagnostic.message;
+    };
+    return isUnfinished(message.diagnostic) && !isRunAsked_ &&
+           std::none_of(document_.messages().begin(), document_.messages().end(), isSaidByRun);
+}
+
 void MessagePanel::refresh() {
     list_->clear();
+    const auto isOpen = [](const Message& message) { return isUnfinished(message.diagnostic); };
+    if (std::none_of(document_.messages().begin(), document_.messages().end(), isOpen)) isRunAsked_ = false;
     int errors = 0;
     std::set<std::tuple<std::string, int, int>> told;  // reading and running the model find the same fault
     for (std::size_t i = 0; i < document_.messages().size(); ++i) {
@@ -85,13 +106,17 @@ void MessagePanel::refresh() {
         const QString place = placeText(d.place);
         if (!place.isEmpty()) text = place + "  " + text;
         if (!d.hint.empty()) text += "\n" + inWords(d.hint);
-        auto* item = new QListWidgetItem(style::icon(iconName(d.severity)), text, list_);
+        const bool hint = isHint(document_.messages()[i]);
+        auto* item =
+            new QListWidgetItem(style::icon(hint ? QStringLiteral("note") : iconName(d.severity)), text, list_);
         item->setData(Qt::UserRole, static_cast<unsigned>(i));
-        if (d.severity == Severity::Error) {
+        if (hint) {
+            item->setForeground(style::mutedText(palette()));
+        } else if (d.severity == Severity::Error) {
             ++errors;
             item->setForeground(style::fault(palette()));
         }
-        if (d.place.line > 0)
+        if (hasPlace(d.place))
             item->setToolTip(QString::fromStdString(d.place.file) + "\n" + tr("Click to see the place"));
         else if (const auto mention = mentionIn(document_, d.message))
             item->setToolTip(tr("Click to see %1").arg(mention->name));

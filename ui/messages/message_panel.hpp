@@ -14,6 +14,7 @@ namespace analogon::ui {
 
 class Document;
 struct Mention;
+struct Message;
 
 /// What is wrong or worth knowing. A click leads to the place.
 class MessagePanel : public QWidget {
@@ -22,7 +23,7 @@ class MessagePanel : public QWidget {
 public:
     explicit MessagePanel(Document& document, QWidget* parent = nullptr);
     QListWidget* list() const { return list_; }
-    /// Marks the first error.
+    /// Marks the first error. A run was asked for: what is not finished is an error by now, until it is mended.
     void pointAtError();
 
 Q_SIGNALS:
@@ -33,10 +34,12 @@ Q_SIGNALS:
 
 private:
     void refresh();
+    bool isHint(const Message& message) const;
 
     Document& document_;
     QListWidget* list_;
     QStackedLayout* pages_;
+    bool isRunAsked_{};
 };
 
 }  // namespace analogon::ui

@@ -33,8 +33,10 @@
 #include "ui/measurement/compare_page.hpp"
 #include "ui/measurement/import_panel.hpp"
 #include "ui/measurement/measurement_panel.hpp"
+#include "ui/measurement/recordings_page.hpp"
 #include "ui/measurement/values_page.hpp"
 #include "ui/messages/message_panel.hpp"
+#include "ui/messages/unfinished.hpp"
 #include "ui/plot/plot_panel.hpp"
 #include "ui/signals/plot_area.hpp"
 #include "ui/signals/signal_browser.hpp"
@@ -88,6 +90,7 @@ MainWindow::MainWindow(QWidget* parent)
       controller_(new RunController(*document_, this)),
       writer_(new JobRunner(this)),
       exporter_(new JobRunner(this)),
+      locator_(new JobRunner(this)),
       recovery_(new Recovery(*document_, this)) {
     setAcceptDrops(true);
     qApp->installEventFilter(this);  // files may be dropped anywhere
@@ -147,6 +150,8 @@ void MainWindow::createPanels() {
     values_->hide();
     comparison_ = new ComparePage(*document_, this);
     comparison_->hide();
+    recordings_ = new RecordingsPage(*document_, this);
+    recordings_->hide();
     library_ = new LibraryPanel(*document_);
     compose_ = new ComposeActions(*document_, *scene_, *view_, *library_, this);
     libraryDock_ = addDock("library", tr("Library"), library_, Qt::LeftDockWidgetArea);
@@ -256,6 +261,10 @@ void MainWindow::createActions() {
     whyNoRunAction_->setShortcuts({Qt::Key_F5, Qt::Key_F6});
     addAction(whyNoRunAction_);
     connect(whyNoRunAction_, &QAction::triggered, this, &MainWindow::explainNoRun);
+    recordingsAction_ = make(tr("Table of recordings"), {}, Qt::CTRL | Qt::SHIFT | Qt::Key_R,
+                             tr("All recordings as a table: sort them, edit role and weight, fit some of them alone"));
+    recordingsAction_->setObjectName("recordings");
+    connect(recordingsAction_, &QAction::triggered, this, &MainWindow::showRecordings);
     textBesideAction_ = make(tr("Model text beside the diagram"), {}, Qt::CTRL | Qt::Key_T,
                              tr("Diagram and text side by side: what is changed in one is seen in the other"));
     textBesideAction_->setObjectName("text-beside");
@@ -304,7 +313,7 @@ void MainWindow::createMenus() {
     run->addActions({fitAction_, discoverAction_});
     run->setToolTipsVisible(true);  // they say what a run waits for
     QMenu* view = menuBar()->addMenu(tr("&View"));
-    view->addActions({fitViewAction_, textBesideAction_});
+    view->addActions({fitViewAction_, textBesideAction_, recordingsAction_});
     view->addSeparator();
     for (QDockWidget* dock : docks()) view->addAction(dock->toggleViewAction());
     addArrangements(view);
@@ -414,9 +423,7 @@ void MainWindow::createToolBar() {
     whyNoRun_ = new QToolButton(this);
     whyNoRun_->setObjectName("why-no-run");
     whyNoRun_->setAutoRaise(true);
-    whyNoRun_->setIcon(style::icon("error"));
     whyNoRun_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    whyNoRun_->setText(tr("Error in the model: no run"));
     whyNoRun_->setFixedHeight(fontMetrics().height() + 2);  // the bar keeps its height
     whyNoRun_->hide();
     connect(whyNoRun_, &QToolButton::clicked, this, &MainWindow::explainNoRun);
@@ -542,9 +549,11 @@ void MainWindow::connectPanels() {
     connect(measurements_, &MeasurementPanel::importWanted, this, &MainWindow::importMeasurement);
     connect(measurements_, &MeasurementPanel::browseWanted, this, &MainWindow::askForMeasurement);
     connect(measurements_, &MeasurementPanel::valuesWanted, this, &MainWindow::showValues);
+    connect(measurements_, &MeasurementPanel::locateWanted, this, &MainWindow::askWhereItIs);
     connect(values_, &ValuesPage::left, this, &MainWindow::leaveValues);
     connect(measurements_, &MeasurementPanel::comparisonWanted, this, &MainWindow::showComparison);
     connect(comparison_, &ComparePage::left, this, &MainWindow::leaveComparison);
+    connectRecordings();
     connect(import_, &ImportPanel::cancelled, this, &MainWindow::leaveImport);
     connect(import_, &ImportPanel::accepted, this, [this](const QString& experiment) {
         plots_->showExperiment(experiment);
@@ -860,7 +869,8 @@ void MainWindow::showFault() {
 QString MainWindow::whyNoRun() const {
     if (!document_->isOpen()) return tr("Open a study first.");
     if (const Diagnostic* error = document_->modelError())
-        return tr("The model has an error: %1").arg(inWords(error->message));
+        return (isUnfinished(*error) ? tr("The model is not finished: %1") : tr("The model has an error: %1"))
+            .arg(inWords(error->message));
     if (!document_->canRun()) return tr("Import a measurement first, and map a column of it to an output.");
     return {};
 }
@@ -884,8 +894,12 @@ void MainWindow::updateActions() {
     }
     whyNoRunAction_->setEnabled(!why.isEmpty());
     whyNoRun_->setVisible(document_->isOpen() && document_->modelError());
+    const bool isOpenYet = document_->modelError() && isUnfinished(*document_->modelError());
+    whyNoRun_->setIcon(style::icon(isOpenYet ? "note" : "error"));
+    whyNoRun_->setText(isOpenYet ? tr("Not connected yet: no run") : tr("Error in the model: no run"));
     whyNoRun_->setToolTip(why);
-    for (QAction* a : {saveAction_, saveAsAction_, importAction_}) a->setEnabled(document_->isOpen());
+    for (QAction* a : {saveAction_, saveAsAction_, importAction_, recordingsAction_})
+        a->setEnabled(document_->isOpen());
     reportAction_->setEnabled(isReady && document_->result());
     const bool isShown = document_->isOpen() && !document_->isReading();
     exportMenu_->menuAction()->setEnabled(isShown);

@@ -36,6 +36,7 @@ class MessagePanel;
 class ParameterPanel;
 class PlotArea;
 class PlotPanel;
+class RecordingsPage;
 class Recovery;
 class ResultPanel;
 class RunBar;
@@ -114,7 +115,9 @@ private:
     void askForStudy(bool isDirectory);
     void save();
     void askWhereToSave();
+    static QStringList measurementFilters();
     void askForMeasurement();
+    void askWhereItIs(const QString& experiment);
     void showGenerate();
     void showGuide();
     void addLanguages(QMenu* view);
@@ -126,6 +129,9 @@ private:
     void leaveValues();
     void showComparison(const QString& signal, const QString& experiment);
     void leaveComparison();
+    void connectRecordings();
+    void showRecordings();
+    void leaveRecordings();
     void settle();
     /// Does it at once, or once the user has said what becomes of unsaved changes.
     void leaveThen(std::function<void()> next);
@@ -139,7 +145,7 @@ private:
     Settings settings_;
     Document* document_;
     RunController* controller_;
-    JobRunner *writer_, *exporter_;
+    JobRunner *writer_, *exporter_, *locator_;
 
     QStackedWidget* pages_{};
     StartPage* start_{};
@@ -148,6 +154,7 @@ private:
     ImportPanel* import_{};
     ValuesPage* values_{};
     ComparePage* comparison_{};
+    RecordingsPage* recordings_{};
     LibraryPanel* library_{};
     ComposeActions* compose_{};
     Recovery* recovery_{};
@@ -183,7 +190,7 @@ private:
 
     QAction *newAction_{}, *generateAction_{}, *openAction_{}, *openFileAction_{}, *saveAction_{}, *saveAsAction_{},
         *importAction_{}, *reportAction_{}, *exportTracesAction_{}, *exportMf4Action_{}, *quitAction_{};
-    QAction* textBesideAction_{};
+    QAction *textBesideAction_{}, *recordingsAction_{};
     QAction *undoAction_{}, *redoAction_{}, *fitAction_{}, *discoverAction_{}, *fitViewAction_{}, *whyNoRunAction_{};
     QString fitTip_, discoverTip_;
     QToolButton* whyNoRun_{};

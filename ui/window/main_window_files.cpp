@@ -22,6 +22,9 @@
 #include "ui/job/job.hpp"
 #include "ui/measurement/compare_page.hpp"
 #include "ui/measurement/import_panel.hpp"
+#include "ui/measurement/locate.hpp"
+#include "ui/measurement/measurement_panel.hpp"
+#include "ui/measurement/recordings_page.hpp"
 #include "ui/measurement/values_page.hpp"
 #include "ui/plot/plot_panel.hpp"
 #include "ui/window/generate_page.hpp"
@@ -115,14 +118,17 @@ void MainWindow::showRecent() {
     if (recentMenu_->isEmpty()) recentMenu_->addAction(tr("Nothing was opened yet"))->setEnabled(false);
 }
 
+QStringList MainWindow::measurementFilters() {
+    return {tr("Measurements (*.csv *.txt *.tsv *.dat *.mf4 *.mdf *.mat *.tdms *.xlsx)"), tr("All files (*)")};
+}
+
 void MainWindow::askForMeasurement() {
     auto* dialog = new QFileDialog(this, tr("Import a measurement"));
     dialog->setObjectName("import-dialog");
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setModal(false);
     dialog->setFileMode(QFileDialog::ExistingFile);
-    dialog->setNameFilters(
-        {tr("Measurements (*.csv *.txt *.tsv *.dat *.mf4 *.mdf *.mat *.tdms *.xlsx)"), tr("All files (*)")});
+    dialog->setNameFilters(measurementFilters());
     connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::importMeasurement);
     dialog->show();
 }
@@ -133,6 +139,19 @@ void MainWindow::importMeasurement(const QString& path) {
     import_->show(path);
     if (centre_->indexOf(import_) < 0) centre_->addTab(import_, tr("Import"));
     centre_->setCurrentWidget(import_);
+}
+
+/// The file of a recording that is not where the study says.
+void MainWindow::askWhereItIs(const QString& experiment) {
+    auto* dialog = new QFileDialog(this, tr("Locate the file of %1").arg(experiment));
+    dialog->setObjectName("locate-dialog");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setModal(false);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilters(measurementFilters());
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this, experiment](const QString& path) { locateRecording(*document_, *locator_, experiment, path); });
+    dialog->show();
 }
 
 void MainWindow::leaveImport() {
@@ -163,6 +182,38 @@ void MainWindow::showComparison(const QString& signal, const QString& experiment
 
 void MainWindow::leaveComparison() {
     const int tab = centre_->indexOf(comparison_);
+    if (tab < 0) return;
+    centre_->removeTab(tab);
+    showDiagram();
+}
+
+void MainWindow::connectRecordings() {
+    connect(measurements_, &MeasurementPanel::tableWanted, this, &MainWindow::showRecordings);
+    connect(recordings_, &RecordingsPage::left, this, &MainWindow::leaveRecordings);
+    connect(recordings_, &RecordingsPage::valuesWanted, this, &MainWindow::showValues);
+    connect(recordings_, &RecordingsPage::locateWanted, this, &MainWindow::askWhereItIs);
+    connect(recordings_, &RecordingsPage::experimentChosen, plots_, &PlotPanel::showExperiment);
+    const auto start = [this](RunKind kind) {
+        return [this, kind](const std::set<std::string>& recordings) {
+            settle();
+            controller_->startOn(kind, recordings);
+        };
+    };
+    connect(recordings_, &RecordingsPage::fitWanted, this, start(RunKind::Fit));
+    connect(recordings_, &RecordingsPage::searchWanted, this, start(RunKind::Discover));
+    connect(controller_, &RunController::runningChanged, recordings_,
+            [this] { recordings_->setRunning(controller_->isRunning()); });
+}
+
+void MainWindow::showRecordings() {
+    if (!document_->isOpen()) return;
+    if (centre_->indexOf(recordings_) < 0) centre_->addTab(recordings_, tr("Recordings"));
+    centre_->setCurrentWidget(recordings_);
+    recordings_->focusTable();
+}
+
+void MainWindow::leaveRecordings() {
+    const int tab = centre_->indexOf(recordings_);
     if (tab < 0) return;
     centre_->removeTab(tab);
     showDiagram();

@@ -4,6 +4,7 @@
 #include <QRegularExpression>
 
 #include "ui/style/number.hpp"
+#include "ui/words/window_words.hpp"
 
 namespace analogon::ui {
 
@@ -45,7 +46,10 @@ QString wordsOf(const Text& text, const ToWords& plain, const ToWords& name) {
         for (const Text& part : text.arguments()) words += wordsOf(part, plain, name);
         return text.arguments().empty() ? name(QString::fromStdString(text.english())) : words;
     }
-    return filled(QCoreApplication::translate("core", text.pattern().c_str()), text.arguments(), plain, name);
+    const char* const own = windowPattern(text.pattern());
+    const QString pattern = own ? QCoreApplication::translate("WindowWords", own)
+                                : QCoreApplication::translate("core", text.pattern().c_str());
+    return filled(pattern, text.arguments(), plain, name);
 }
 
 }  // namespace

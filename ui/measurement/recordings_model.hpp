@@ -1,0 +1,87 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/fit/fit.hpp"
+#include "core/study/study.hpp"
+#include "ui/job/job.hpp"
+#include "ui/measurement/recording_extent.hpp"
+
+namespace analogon::ui {
+
+class Document;
+
+/// The recordings of the study with what is settled of each and what the present run says of it. Every edit goes
+/// through the document and is one step of undo.
+class RecordingsModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    /// Behind these one column for each output, and that of the fault.
+    enum Column { Name, File, Role, Weight, Samples, Duration, FixedCount };
+    /// SortRole: what a column is sorted by. NameRole: of the recording, in any column.
+    enum DataRole { SortRole = Qt::UserRole, NameRole };
+
+    explicit RecordingsModel(Document& document, QObject* parent = nullptr);
+
+    int faultColumn() const { return FixedCount + static_cast<int>(outputs_.size()); }
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+    /// Of several recordings at once, as one step of undo.
+    void setUsed(const std::set<std::string>& recordings, bool isUsed);
+    void setRole(const std::set<std::string>& recordings, analogon::Role role);
+    void setWeight(const std::set<std::string>& recordings, double weight);
+    bool isUsed(const std::string& recording) const;
+    /// Which of them a run on these alone would use, and whether there is anything to fit among them.
+    std::set<std::string> usable(const std::set<std::string>& recordings) const;
+    bool hasFitted(const std::set<std::string>& recordings) const;
+
+    /// A weight as it is typed; none: it cannot be one.
+    static std::optional<double> readWeight(const QString& typed);
+
+private:
+    struct Error {
+        std::optional<ErrorFigures> before, after;
+        std::string unit;
+    };
+    struct Row {
+        std::string name, path;
+        QString file;
+        bool isUsed{}, isFit{}, isMissing{};
+        std::optional<std::pair<double, double>> weights;  // least and most of its outputs; none: it has no output
+        std::optional<RecordingExtent> extent;
+        std::map<std::string, Error> errors;
+        QStringList fault;
+        QString failure;  // of its simulation
+    };
+    void refresh();
+    Row rowOf(const StudyExperiment& experiment) const;
+    void readErrors(std::vector<Row>& rows) const;
+    void measureExtents();
+    std::string extentKey(const StudyExperiment& experiment) const;
+    QVariant display(const Row& row, int column) const;
+    QVariant sortKey(const Row& row, int column) const;
+    QVariant tooltip(const Row& row, int column) const;
+    const Error* errorOf(const Row& row, int column) const;
+    void change(const std::set<std::string>& recordings, const QString& what,
+                const std::function<void(StudyExperiment&)>& edit);
+
+    Document& document_;
+    JobRunner measurer_;
+    std::vector<Row> rows_;
+    std::vector<std::string> outputs_;
+    std::map<std::string, RecordingExtent> extents_;  // those that were worked out, by what they depend on
+};
+
+}  // namespace analogon::ui
