@@ -4019,8 +4019,12 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Von der ungespeicherten Arbeit lässt sich keine Kopie anlegen: %1</translation>
     </message>
     <message>
-        <source>Not saved: see the messages.</source>
-        <translation>Nicht gespeichert: siehe Meldungen.</translation>
+        <source>Not saved: %1</source>
+        <translation>Nicht gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>see the messages</source>
+        <translation>siehe Meldungen</translation>
     </message>
     <message>
         <source>Messages (%1)</source>
@@ -13608,8 +13612,8 @@ Bitte den Namen prüfen.</translation>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Click a heading to sort. Space takes the marked rows in or out; roles and weights are edited in their cells.</source>
-        <translation>Ein Klick auf eine Überschrift sortiert. Die Leertaste lässt die markierten Zeilen aus oder bezieht sie ein; Rollen und Gewichte werden in ihren Zellen geändert.</translation>
+        <source>Space takes the marked rows in or out; roles and weights are edited in their cells.</source>
+        <translation>Die Leertaste lässt die markierten Zeilen aus oder bezieht sie ein; Rollen und Gewichte werden in ihren Zellen geändert.</translation>
     </message>
     <message>
         <source>Fit the marked</source>

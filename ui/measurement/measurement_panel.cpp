@@ -14,6 +14,7 @@
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <map>
 #include <set>
 
 #include "core/base/unit.hpp"
@@ -216,11 +217,12 @@ MeasurementPanel::MeasurementPanel(Document& document, QWidget* parent)
     tree_->headerItem()->setToolTip(Clock, clockTip(true));
     tree_->setFrameShape(QFrame::NoFrame);
     tree_->setRootIsDecorated(true);
-    tree_->setUniformRowHeights(false);
+    tree_->setUniformRowHeights(true);
     tree_->setIndentation(4 * style::unit);
     tree_->setIconSize({16, 16});
     for (const int section : {Model, Clock})
         tree_->header()->setSectionResizeMode(section, QHeaderView::ResizeToContents);
+    tree_->header()->setResizeContentsPrecision(0);  // by the rows in sight
     tree_->header()->setStretchLastSection(false);
     tree_->header()->setSectionResizeMode(Source, QHeaderView::Stretch);
     tree_->setAccessibleName(tr("Measurements"));
@@ -234,7 +236,6 @@ MeasurementPanel::MeasurementPanel(Document& document, QWidget* parent)
     empty_->setMargin(style::margin);
     style::makeCaption(empty_);
     import_->setText(tr("Import …"));
-    import_->setIcon(style::icon("recording"));
     import_->setToolTip(tr("Add a recording to the study"));
     propose_->setText(tr("Propose mapping"));
     propose_->setToolTip(tr("Give signals without a column the one that fits by unit and name"));
@@ -244,13 +245,15 @@ MeasurementPanel::MeasurementPanel(Document& document, QWidget* parent)
         b->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         b->setAutoRaise(true);
     }
+    table_->setIcon(style::icon("table"));
+    table_->setToolButtonStyle(Qt::ToolButtonIconOnly);
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(2 * style::unit, style::unit, 2 * style::unit, style::unit);
-    bar->setSpacing(style::unit);
+    bar->setSpacing(0);  // a narrow panel has room for all three, in any language
     bar->addWidget(import_);
     bar->addWidget(propose_);
-    bar->addWidget(table_);
     bar->addStretch(1);
+    bar->addWidget(table_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -527,7 +530,9 @@ void MeasurementPanel::measureExtents() {
             return extents;
         },
         [this](const Extents& extents) {
-            const QSignalBlocker blocker(tree_);
+            // no width depends on it: the columns need not be measured with each of them
+            const QSignalBlocker blocker(tree_), quiet(tree_->model());
+            tree_->viewport()->update();
             for (int i = 0; i < tree_->topLevelItemCount(); ++i)
                 for (const auto& [name, extent] : extents)
                     if (QTreeWidgetItem* const top = tree_->topLevelItem(i);
@@ -538,24 +543,27 @@ void MeasurementPanel::measureExtents() {
 
 void MeasurementPanel::markLeftOut() {
     const QSignalBlocker blocker(tree_);
-    for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
-        QTreeWidgetItem* const top = tree_->topLevelItem(i);
-        const StudyExperiment* const experiment = experimentOf(top);
-        const bool isUsed = experiment && experiment->isUsed;
-        const bool isMissing = isUnread(document_, top->data(0, experimentRole).toString());
-        const FaultyRecording* const faulty =
-            isUsed ? document_.leftOut(top->data(0, experimentRole).toString().toStdString()) : nullptr;
-        QStringList why;
-        for (const Diagnostic& said : faulty ? faulty->why : Diagnostics())
-            if (said.severity == Severity::Error) why << inWords(said.message);
-        top->setIcon(0, style::icon(isMissing ? "error" : faulty ? "warning" : "recording"));
-        top->setForeground(0, !isUsed               ? QBrush(style::mutedText(palette()))
-                              : faulty || isMissing ? QBrush(style::caution(palette()))
-                                                    : QBrush());
-        top->setToolTip(0, faulty   ? tr("Left out until this is mended:") + "\n" + why.join('\n')
-                           : isUsed ? tr("Clear the check box to leave the recording out of all work")
-                                    : tr("Left out of all work; set the check box to take it in"));
-    }
+    for (int i = 0; i < tree_->topLevelItemCount(); ++i)
+        if (const StudyExperiment* const experiment = experimentOf(tree_->topLevelItem(i)))
+            mark(tree_->topLevelItem(i), *experiment);
+}
+
+/// A recording that is not used, or has a fault, is told from the others, and why is said where one points.
+void MeasurementPanel::mark(QTreeWidgetItem* top, const StudyExperiment& experiment) const {
+    const bool isMissing = isUnread(document_, QString::fromStdString(experiment.name));
+    const FaultyRecording* const faulty = experiment.isUsed ? document_.leftOut(experiment.name) : nullptr;
+    QStringList why;
+    for (const Diagnostic& said : faulty ? faulty->why : Diagnostics())
+        if (said.severity == Severity::Error) why << inWords(said.message);
+    const QString tip = faulty              ? tr("Left out until this is mended:") + "\n" + why.join('\n')
+                        : experiment.isUsed ? tr("Clear the check box to leave the recording out of all work")
+                                            : tr("Left out of all work; set the check box to take it in");
+    if (top->toolTip(0) == tip) return;  // it says all that the row shows of it
+    top->setIcon(0, style::icon(isMissing ? "error" : faulty ? "warning" : "recording"));
+    top->setForeground(0, !experiment.isUsed    ? QBrush(style::mutedText(palette()))
+                          : faulty || isMissing ? QBrush(style::caution(palette()))
+                                                : QBrush());
+    top->setToolTip(0, tip);
 }
 
 /// Why there is nothing of the file, and what to do.
@@ -563,7 +571,6 @@ void MeasurementPanel::addUnread(QTreeWidgetItem* top, const StudyExperiment& ex
     if (!isUnread(document_, QString::fromStdString(experiment.name))) return;
     const Diagnostics& faults = document_.study().unread.at(tableKey(experiment));
     auto* item = addRow(top, Kind::Unread, inWords(faults.front().message), {});
-    item->setFirstColumnSpanned(true);
     item->setIcon(0, style::icon("error"));
     item->setForeground(0, style::fault(palette()));
     QStringList tip;
@@ -572,7 +579,8 @@ void MeasurementPanel::addUnread(QTreeWidgetItem* top, const StudyExperiment& ex
     item->setToolTip(0, tip.join('\n'));
 }
 
-void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
+/// The row of a recording with those below it. They come into the tree together: it lays itself out once.
+QTreeWidgetItem* MeasurementPanel::itemOf(const StudyExperiment& experiment) {
     const std::shared_ptr<const Table> whole = fileTable(document_.study().tables, experiment);
     const Table* const table = whole.get();
     const QString file = QString::fromStdString(std::filesystem::path(experiment.file).filename().string());
@@ -580,9 +588,8 @@ void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
     const QColor muted = style::mutedText(palette());
     const bool isFit = experiment.role == Role::Fit;
 
-    auto* top = new QTreeWidgetItem(tree_, {name, isFit ? tr("fit") : tr("validate")});
+    auto* top = new QTreeWidgetItem({name, isFit ? tr("fit") : tr("validate")});
     top->setFlags(top->flags() | Qt::ItemIsEditable);
-    top->setIcon(0, style::icon("recording"));
     top->setData(0, experimentRole, name);
     top->setData(0, kindRole, static_cast<int>(Kind::Experiment));
     QFont bold = top->font(0);
@@ -593,10 +600,10 @@ void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
         1, isFit ? tr("Used to fit and to choose effects") : tr("Only reported; never used to fit or to choose"));
     top->setForeground(1, isFit ? style::accentText(palette()) : muted);
     auto* info = addRow(top, Kind::Info, file, {});
-    info->setFirstColumnSpanned(true);
     info->setForeground(0, muted);
     info->setToolTip(0, QString::fromStdString(experiment.file) + "\n" + tr("Double-click or Enter shows the values"));
     addUnread(top, experiment);
+    mark(top, experiment);
     if (table && isExtentAtHand(experiment)) showExtent(info, extentOf(*table, experiment));
 
     std::set<QString> used{labelText(table, {experiment.timeColumn, experiment.timeGroup})};
@@ -642,7 +649,29 @@ void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
     rangeItem->setIcon(0, style::icon("time"));
     rangeItem->setForeground(1, muted);
     rangeItem->setToolTip(1, tr("Double-click and type from and to, in seconds"));
-    top->setExpanded(true);
+    return top;
+}
+
+/// All rows anew. A recording stays folded or unfolded; of many, new ones are folded.
+void MeasurementPanel::fillTree() {
+    constexpr std::size_t mostUnfolded = 12;
+    const std::vector<StudyExperiment>& experiments = document_.study().experiments;
+    std::map<QString, bool> wasUnfolded;
+    for (int i = 0; i < tree_->topLevelItemCount(); ++i)
+        wasUnfolded[tree_->topLevelItem(i)->data(0, experimentRole).toString()] = tree_->topLevelItem(i)->isExpanded();
+    QList<QTreeWidgetItem*> items;
+    for (const StudyExperiment& experiment : experiments) items << itemOf(experiment);
+    tree_->clear();
+    tree_->addTopLevelItems(items);
+    for (QTreeWidgetItem* const top : items) {
+        for (int i = 0; i < top->childCount(); ++i)
+            if (const auto kind = static_cast<Kind>(top->child(i)->data(0, kindRole).toInt());
+                kind == Kind::Info || kind == Kind::Unread)
+                top->child(i)->setFirstColumnSpanned(true);
+        const auto known = wasUnfolded.find(top->data(0, experimentRole).toString());
+        const bool isFew = experiments.size() <= mostUnfolded;
+        top->setExpanded(known == wasUnfolded.end() ? isFew : known->second);
+    }
 }
 
 void MeasurementPanel::refresh() {
@@ -653,14 +682,14 @@ void MeasurementPanel::refresh() {
                std::any_of(experiment.outputs.begin(), experiment.outputs.end(), isOwn);
     };
     const int scrolled = tree_->verticalScrollBar()->value();
-    tree_->clear();
     const bool isOpen = document_.isOpen();
     import_->setEnabled(isOpen);
     table_->setEnabled(isOpen && !document_.study().experiments.empty());
     propose_->setEnabled(isOpen && !document_.study().experiments.empty());
     if (isOpen)
-        for (const StudyExperiment& experiment : document_.study().experiments) addExperiment(experiment);
-    markLeftOut();
+        fillTree();
+    else
+        tree_->clear();
     measureExtents();
     // few loggers have one: the names of columns need the room
     const auto& experiments = document_.study().experiments;

@@ -62,9 +62,10 @@ private:
     enum class Kind { Experiment, Info, Unread, Input, Output, Spare, Range };
     enum TreeColumn { Model, Source, Clock, ColumnCount };
     void refresh();
-    void addExperiment(const StudyExperiment& experiment);
-    /// A recording that is not used, or has a fault, is told from the others, and why is said where one points.
+    void fillTree();
+    QTreeWidgetItem* itemOf(const StudyExperiment& experiment);
     void markLeftOut();
+    void mark(QTreeWidgetItem* top, const StudyExperiment& experiment) const;
     void addUnread(QTreeWidgetItem* top, const StudyExperiment& experiment);
     void addSpares(QTreeWidgetItem* top, const Table& file, const std::set<QString>& used);
     void measureExtents();

@@ -158,13 +158,13 @@ void RecordingsModel::measureExtents() {
                 if (const auto known = extents_.find(extentKey(document_.study().experiments[i]));
                     known != extents_.end())
                     rows_[i].extent = known->second;
-            if (!rows_.empty()) Q_EMIT dataChanged(index(0, Samples), index(rowCount() - 1, Duration));
+            if (!rows_.empty()) Q_EMIT dataChanged(index(0, samplesColumn()), index(rowCount() - 1, durationColumn()));
         });
 }
 
 const RecordingsModel::Error* RecordingsModel::errorOf(const Row& row, int column) const {
-    if (column < FixedCount || column >= faultColumn()) return nullptr;
-    const auto error = row.errors.find(outputs_[static_cast<std::size_t>(column - FixedCount)]);
+    if (column < FirstError || column >= samplesColumn()) return nullptr;
+    const auto error = row.errors.find(outputs_[static_cast<std::size_t>(column - FirstError)]);
     return error == row.errors.end() ? nullptr : &error->second;
 }
 
@@ -182,16 +182,17 @@ QVariant RecordingsModel::display(const Row& row, int column) const {
             const QString from = style::numberText(least, 6);
             return least == most ? from : QStringLiteral("%1 … %2").arg(from, style::numberText(most, 6));
         }
-        case Samples:
-            return row.extent ? style::countText(row.extent->samples) : QString();
-        case Duration:
-            return row.extent && row.extent->seconds
-                       ? QStringLiteral("%1 s").arg(style::numberText(*row.extent->seconds, 6))
-                       : QString();
         default:
             break;
     }
     if (column == faultColumn()) return row.fault.isEmpty() ? row.failure : row.fault.front();
+    if (column < samplesColumn()) return errorOfColumn(row, column);
+    if (!row.extent) return {};
+    if (column == samplesColumn()) return style::countText(row.extent->samples);
+    return row.extent->seconds ? QStringLiteral("%1 s").arg(style::numberText(*row.extent->seconds, 6)) : QString();
+}
+
+QString RecordingsModel::errorOfColumn(const Row& row, int column) const {
     const Error* const error = errorOf(row, column);
     if (!error) return {};
     QStringList texts;
@@ -204,17 +205,10 @@ QVariant RecordingsModel::display(const Row& row, int column) const {
 
 QVariant RecordingsModel::sortKey(const Row& row, int column) const {
     constexpr double nothing = std::numeric_limits<double>::lowest();  // before all that is known
-    switch (column) {
-        case Weight:
-            return row.weights ? row.weights->first : nothing;
-        case Samples:
-            return row.extent ? static_cast<double>(row.extent->samples) : nothing;
-        case Duration:
-            return row.extent && row.extent->seconds ? *row.extent->seconds : nothing;
-        default:
-            break;
-    }
-    if (column < FixedCount || column == faultColumn()) return display(row, column);
+    if (column == Weight) return row.weights ? row.weights->first : nothing;
+    if (column == samplesColumn()) return row.extent ? static_cast<double>(row.extent->samples) : nothing;
+    if (column == durationColumn()) return row.extent && row.extent->seconds ? *row.extent->seconds : nothing;
+    if (column < FirstError || column == faultColumn()) return display(row, column);
     const Error* const error = errorOf(row, column);
     const auto& figures = error && error->after ? error->after : error ? error->before : std::nullopt;
     if (!figures) return nothing;
@@ -279,17 +273,19 @@ QVariant RecordingsModel::data(const QModelIndex& index, int role) const {
 
 QVariant RecordingsModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal) return {};
-    const bool isError = section >= FixedCount && section < faultColumn();
+    const bool isError = section >= FirstError && section < samplesColumn();
     if (role == Qt::ToolTipRole && isError)
         return tr("Error of this output in the present run, before → after, in % of its range");
-    if (role == Qt::TextAlignmentRole && section >= Weight && section < faultColumn())
-        return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+    const bool isNumber = section >= Weight && section < faultColumn();
+    if (role == Qt::TextAlignmentRole)
+        return static_cast<int>((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     if (role != Qt::DisplayRole) return {};
     if (isError)
-        return tr("Error %1").arg(QString::fromStdString(outputs_[static_cast<std::size_t>(section - FixedCount)]));
+        return tr("Error %1").arg(QString::fromStdString(outputs_[static_cast<std::size_t>(section - FirstError)]));
     if (section == faultColumn()) return tr("Fault");
-    const QStringList names{tr("Recording"), tr("File"), tr("Role"), tr("Weight"), tr("Samples"), tr("Duration")};
-    return names.value(section);
+    if (section == samplesColumn()) return tr("Samples");
+    if (section == durationColumn()) return tr("Duration");
+    return QStringList{tr("Recording"), tr("File"), tr("Role"), tr("Weight")}.value(section);
 }
 
 Qt::ItemFlags RecordingsModel::flags(const QModelIndex& index) const {

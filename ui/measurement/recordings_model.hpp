@@ -23,14 +23,16 @@ class RecordingsModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    /// Behind these one column for each output, and that of the fault.
-    enum Column { Name, File, Role, Weight, Samples, Duration, FixedCount };
+    /// Behind these one column for each output, then samples, duration and fault.
+    enum Column { Name, File, Role, Weight, FirstError };
     /// SortRole: what a column is sorted by. NameRole: of the recording, in any column.
     enum DataRole { SortRole = Qt::UserRole, NameRole };
 
     explicit RecordingsModel(Document& document, QObject* parent = nullptr);
 
-    int faultColumn() const { return FixedCount + static_cast<int>(outputs_.size()); }
+    int samplesColumn() const { return FirstError + static_cast<int>(outputs_.size()); }
+    int durationColumn() const { return samplesColumn() + 1; }
+    int faultColumn() const { return samplesColumn() + 2; }
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
@@ -71,6 +73,7 @@ private:
     void measureExtents();
     std::string extentKey(const StudyExperiment& experiment) const;
     QVariant display(const Row& row, int column) const;
+    QString errorOfColumn(const Row& row, int column) const;
     QVariant sortKey(const Row& row, int column) const;
     QVariant tooltip(const Row& row, int column) const;
     const Error* errorOf(const Row& row, int column) const;

@@ -70,12 +70,10 @@ RecordingsPage::RecordingsPage(Document& document, QWidget* parent)
       model_(new RecordingsModel(document, this)),
       sorted_(new QSortFilterProxyModel(this)),
       view_(new QTableView(this)),
-      title_(new QLabel(tr("Recordings"), this)),
       caption_(new QLabel(this)),
       fit_(new QPushButton(this)),
       search_(new QPushButton(this)),
       close_(new QPushButton(tr("Close"), this)) {
-    style::makeHeading(title_, 1.2);
     style::makeCaption(caption_);
     caption_->setWordWrap(true);
     caption_->setText(
@@ -105,6 +103,7 @@ RecordingsPage::RecordingsPage(Document& document, QWidget* parent)
     view_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 2 * style::unit);
     view_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     view_->horizontalHeader()->setHighlightSections(false);
+    view_->horizontalHeader()->setMinimumSectionSize(9 * style::unit);
     view_->horizontalHeader()->setStretchLastSection(true);
     view_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     view_->horizontalHeader()->setResizeContentsPrecision(0);  // by the rows in sight
@@ -114,9 +113,8 @@ RecordingsPage::RecordingsPage(Document& document, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(style::margin, style::margin, style::margin, style::margin);
     layout->setSpacing(2 * style::unit);
-    layout->addWidget(title_);
-    layout->addWidget(view_, 1);
     layout->addWidget(caption_);
+    layout->addWidget(view_, 1);
     layout->addLayout(buttons());
     connect(view_, &QWidget::customContextMenuRequested, this, &RecordingsPage::showMenu);
     connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &RecordingsPage::updateState);
@@ -173,7 +171,10 @@ void RecordingsPage::setRunning(bool isRunning) {
 void RecordingsPage::focusTable() {
     fitNames();
     view_->setFocus(Qt::OtherFocusReason);
-    if (!view_->currentIndex().isValid() && sorted_->rowCount() > 0) view_->setCurrentIndex(sorted_->index(0, 0));
+    // whatever keys are held down at the moment, as those that led here
+    if (!view_->selectionModel()->hasSelection() && sorted_->rowCount() > 0)
+        view_->selectionModel()->setCurrentIndex(sorted_->index(std::max(0, view_->currentIndex().row()), 0),
+                                                 QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
 }
 
 /// How many recordings a run would look at is said on its button, and what is missing where it cannot begin.

@@ -56,7 +56,7 @@ private:
     RecordingsModel* model_;
     QSortFilterProxyModel* sorted_;
     QTableView* view_;
-    QLabel *title_, *caption_;
+    QLabel* caption_;
     QPushButton *fit_, *search_, *close_;
     bool isRunning_{};
 };

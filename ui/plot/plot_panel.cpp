@@ -189,6 +189,7 @@ void PlotPanel::refresh() {
     if (names != names_) {
         const QSignalBlocker blocker(experiments_);
         const QString before = std::exchange(shown_, {});
+        if (!experiments_->hasFocus()) experiments_->hide();  // else it lays itself out with every tab
         while (experiments_->count() > 0) experiments_->removeTab(0);
         for (const auto& [name, role] : shown) {
             const int tab = experiments_->addTab(QString::fromStdString(name));

@@ -1,0 +1,223 @@
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableView>
+#include <QToolButton>
+#include <algorithm>
+#include <ctime>
+
+#include "tests/ui/panels_fixture.hpp"
+#include "ui/measurement/measurement_panel.hpp"
+#include "ui/measurement/recordings_model.hpp"
+#include "ui/measurement/recordings_page.hpp"
+
+namespace analogon::ui {
+namespace {
+
+class RecordingsTable : public Panels {
+protected:
+    void openTable() {
+        openLambda();
+        QTest::keyClick(&window, Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+        ASSERT_TRUE(page()->isVisible());
+        ASSERT_TRUE(QTest::qWaitFor([&] { return view()->hasFocus(); }, 5000));
+    }
+    RecordingsPage* page() const { return panel<RecordingsPage>(); }
+    QTableView* view() const { return page()->view(); }
+    QModelIndex cell(int row, int column) const { return view()->model()->index(row, column); }
+    QString text(int row, int column) const { return cell(row, column).data().toString(); }
+    int rowOf(const QString& name) const {
+        for (int row = 0; row < view()->model()->rowCount(); ++row)
+            if (text(row, RecordingsModel::Name) == name) return row;
+        return -1;
+    }
+    QPoint at(const QModelIndex& index) const { return view()->visualRect(index).center(); }
+    /// That the thread of the window has worked; what else the machine does is left out.
+    static double busyMilliseconds() {
+        timespec spent{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
+        return 1e3 * static_cast<double>(spent.tv_sec) + 1e-6 * static_cast<double>(spent.tv_nsec);
+    }
+    const StudyExperiment& recording(const QString& name) {
+        const std::vector<StudyExperiment>& all = document().study().experiments;
+        return *std::find_if(all.begin(), all.end(), [&](const auto& e) { return e.name == name.toStdString(); });
+    }
+    int firstError() const { return RecordingsModel::FirstError; }
+    int samples() const { return page()->model()->samplesColumn(); }
+    int duration() const { return page()->model()->durationColumn(); }
+    int fault() const { return page()->model()->faultColumn(); }
+    /// Copies of the first recording, as one step.
+    void addCopies(int count, const std::function<void(StudyExperiment&, int)>& edit) {
+        StudySettings settings = document().settings();
+        for (int i = 0; i < count; ++i) {
+            settings.experiments.push_back(settings.experiments.front());
+            settings.experiments.back().name = "copy " + std::to_string(i);
+            edit(settings.experiments.back(), i);
+        }
+        document().applySettings(std::move(settings), "copy");
+    }
+};
+
+TEST_F(RecordingsTable, SaysOfEachWhatItIsAndWhatTheRunLeaves) {
+    openTable();
+    ASSERT_EQ(view()->model()->rowCount(), 2);
+    EXPECT_EQ(text(0, RecordingsModel::File), "train.csv");
+    EXPECT_EQ(text(0, RecordingsModel::Role), "fit");
+    EXPECT_EQ(text(1, RecordingsModel::Role), "validate");
+    EXPECT_EQ(text(0, RecordingsModel::Weight), "1");
+    EXPECT_FALSE(text(0, samples()).isEmpty());
+    EXPECT_TRUE(text(0, duration()).endsWith(" s"));
+    EXPECT_TRUE(text(0, firstError()).endsWith('%')) << text(0, firstError()).toStdString();
+    EXPECT_FALSE(text(0, firstError()).contains("→"));
+    run(RunKind::Fit);
+    EXPECT_TRUE(text(0, firstError()).contains("→")) << "before and after the fit";
+    EXPECT_TRUE(text(1, firstError()).contains("→"));
+    window.grab().save(QStringLiteral(ANALOGON_PICTURES) + "/recordings-table.png");
+}
+
+TEST_F(RecordingsTable, OpensFromThePanelAndIsClosed) {
+    openLambda();
+    for (auto* button : panel<MeasurementPanel>()->findChildren<QToolButton*>())
+        if (button->text() == "Table") QTest::mouseClick(button, Qt::LeftButton);
+    ASSERT_TRUE(page()->isVisible());
+    QTest::mouseClick(page()->closeButton(), Qt::LeftButton);
+    EXPECT_FALSE(page()->isVisible());
+}
+
+TEST_F(RecordingsTable, RoleIsChosenInItsCellAndUndoneInOneStep) {
+    openTable();
+    QTest::mouseDClick(view()->viewport(), Qt::LeftButton, {}, at(cell(1, RecordingsModel::Role)));
+    auto* box = view()->viewport()->findChild<QComboBox*>();
+    if (!box) {  // the first click makes the cell the current one
+        QTest::mouseClick(view()->viewport(), Qt::LeftButton, {}, at(cell(1, RecordingsModel::Role)));
+        QTest::mouseDClick(view()->viewport(), Qt::LeftButton, {}, at(cell(1, RecordingsModel::Role)));
+        box = view()->viewport()->findChild<QComboBox*>();
+    }
+    ASSERT_TRUE(box);
+    const int steps = document().undoStack().count();
+    QTest::keyClick(box, Qt::Key_Up);
+    QTest::keyClick(box, Qt::Key_Return);
+    ASSERT_EQ(text(1, RecordingsModel::Role), "fit");
+    EXPECT_EQ(document().undoStack().count(), steps + 1);
+    document().undoStack().undo();
+    EXPECT_EQ(text(1, RecordingsModel::Role), "validate");
+}
+
+TEST_F(RecordingsTable, WeightIsTypedInItsCellAndCountsInTheFit) {
+    openTable();
+    view()->setCurrentIndex(cell(0, RecordingsModel::Weight));
+    QTest::keyClick(view(), Qt::Key_Return);
+    auto* field = view()->viewport()->findChild<QLineEdit*>();
+    ASSERT_TRUE(field);
+    QTest::keyClicks(field, "2,5");
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return text(0, RecordingsModel::Weight) == "2.5"; }, 2000));
+    const QString name = text(0, RecordingsModel::Name);
+    for (const auto& [output, mapping] : recording(name).outputs) EXPECT_EQ(mapping.weight, 2.5);
+    for (const char* wrong : {"-1", "1e9", "much"}) {
+        EXPECT_FALSE(RecordingsModel::readWeight(wrong)) << wrong;
+        EXPECT_FALSE(view()->model()->setData(cell(0, RecordingsModel::Weight), wrong, Qt::EditRole));
+    }
+    EXPECT_EQ(text(0, RecordingsModel::Weight), "2.5");
+    document().undoStack().undo();
+    EXPECT_EQ(text(0, RecordingsModel::Weight), "1");
+}
+
+TEST_F(RecordingsTable, SpaceTakesTheMarkedRowsOutAndInAsOneStep) {
+    openTable();
+    QTest::keyClick(view(), Qt::Key_A, Qt::ControlModifier);
+    const int steps = document().undoStack().count();
+    QTest::keyClick(view(), Qt::Key_Space);
+    EXPECT_FALSE(document().study().experiments[0].isUsed);
+    EXPECT_FALSE(document().study().experiments[1].isUsed);
+    EXPECT_EQ(document().undoStack().count(), steps + 1);
+    EXPECT_EQ(page()->marked().size(), 2u) << "what is marked stays";
+    EXPECT_FALSE(page()->fitButton()->isEnabled());
+    QTest::keyClick(view(), Qt::Key_Space);
+    EXPECT_TRUE(document().study().experiments[0].isUsed);
+    EXPECT_TRUE(page()->fitButton()->isEnabled());
+}
+
+TEST_F(RecordingsTable, AFitOfTheMarkedLooksAtThemAloneAndLeavesTheStudy) {
+    openTable();
+    addCopies(1, [](StudyExperiment&, int) {});
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return document().before() && document().before()->experiments.size() == 3; }, 20000));
+    QTest::mouseClick(view()->viewport(), Qt::LeftButton, {}, at(cell(rowOf("copy 0"), RecordingsModel::File)));
+    ASSERT_EQ(page()->marked(), (std::set<std::string>{"copy 0"}));
+    ASSERT_TRUE(page()->fitButton()->text().contains("(1)"));
+    QTest::mouseClick(page()->fitButton(), Qt::LeftButton);
+    EXPECT_FALSE(page()->fitButton()->isEnabled()) << "while it runs";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.controller().isRunning(); }, 120000));
+    ASSERT_TRUE(document().result());
+    ASSERT_EQ(document().after()->experiments.size(), 1u);
+    EXPECT_EQ(document().after()->experiments.front().name, "copy 0");
+    EXPECT_FALSE(document().isResultStale());
+    for (const StudyExperiment& e : document().study().experiments) EXPECT_TRUE(e.isUsed) << e.name;
+    for (const StudyExperiment& e : document().result()->completed.experiments) EXPECT_TRUE(e.isUsed) << e.name;
+    EXPECT_TRUE(text(rowOf("copy 0"), firstError()).contains("→"));
+    EXPECT_FALSE(text(rowOf("drive cycle"), firstError()).contains("→"));
+    EXPECT_TRUE(std::any_of(document().messages().begin(), document().messages().end(), [](const Message& m) {
+        return m.diagnostic.message.english().find("only 1 of 3 recordings were looked at: copy 0") == 0;
+    }));
+}
+
+TEST_F(RecordingsTable, ASearchInTheMarkedIsStartedByKeys) {
+    openTable();
+    QTest::keyClick(view(), Qt::Key_Tab);
+    QWidget* const first = QApplication::focusWidget();
+    ASSERT_EQ(first, page()->fitButton());
+    QTest::keyClick(first, Qt::Key_Tab);
+    ASSERT_EQ(QApplication::focusWidget(), page()->searchButton());
+    QTest::keyClick(page()->searchButton(), Qt::Key_Space);
+    ASSERT_TRUE(window.controller().isRunning());
+    window.controller().cancel();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.controller().isRunning(); }, 120000));
+}
+
+TEST_F(RecordingsTable, AFaultIsSaidWithItsReason) {
+    openTable();
+    addCopies(1, [](StudyExperiment& copy, int) {
+        for (auto& [output, mapping] : copy.outputs) mapping.column = "nowhere";
+    });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return text(rowOf("copy 0"), fault()).contains("nowhere"); }, 20000));
+    EXPECT_TRUE(text(0, fault()).isEmpty());
+}
+
+TEST_F(RecordingsTable, HoldsTwoHundredRecordingsWithoutAPauseAndSortsThem) {
+    openTable();
+    addCopies(200, [](StudyExperiment& copy, int i) {
+        copy.role = Role::Validate;
+        for (auto& [output, mapping] : copy.outputs) mapping.weight = 1 + (i * 37 % 200);
+        copy.range = {{0.0, 1.0 + (i % 20) * 0.1}};
+    });
+    ASSERT_EQ(view()->model()->rowCount(), 202);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !text(100, duration()).isEmpty(); }, 20000));
+    const int x = view()->horizontalHeader()->sectionViewportPosition(RecordingsModel::Weight) + 20;
+    double from = busyMilliseconds();
+    QTest::mouseClick(view()->horizontalHeader()->viewport(), Qt::LeftButton, {}, {x, 8});
+    view()->viewport()->repaint();
+    const double sorted = busyMilliseconds() - from;
+    for (int row = 1; row < 202; ++row)
+        ASSERT_LE(text(row - 1, RecordingsModel::Weight).toDouble(), text(row, RecordingsModel::Weight).toDouble());
+    view()->setCurrentIndex(cell(150, RecordingsModel::Weight));
+    from = busyMilliseconds();
+    QTest::keyClick(view(), Qt::Key_Space);
+    window.repaint();
+    const double edited = busyMilliseconds() - from;
+    std::printf("sorted in %.1f ms, edited in %.1f ms\n", sorted, edited);
+#ifdef __SANITIZE_ADDRESS__
+    constexpr double most = 500;
+#else
+    constexpr double most = 50;
+#endif
+    EXPECT_LT(sorted, most);
+    EXPECT_LT(edited, most);
+    EXPECT_EQ(std::count_if(document().study().experiments.begin(), document().study().experiments.end(),
+                            [](const StudyExperiment& e) { return !e.isUsed; }),
+              1);
+}
+
+}  // namespace
+}  // namespace analogon::ui
