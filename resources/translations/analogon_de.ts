@@ -13612,8 +13612,8 @@ Bitte den Namen prüfen.</translation>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Space takes the marked rows in or out; roles and weights are edited in their cells.</source>
-        <translation>Die Leertaste lässt die markierten Zeilen aus oder bezieht sie ein; Rollen und Gewichte werden in ihren Zellen geändert.</translation>
+        <source>Space takes the marked rows in or out. Role and weight are edited in their cells.</source>
+        <translation>Leertaste: markierte Zeilen ein oder aus. Rolle und Gewicht ändert man in ihrer Zelle.</translation>
     </message>
     <message>
         <source>Fit the marked</source>

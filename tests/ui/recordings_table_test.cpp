@@ -1,3 +1,4 @@
+#include <QAction>
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLineEdit>
@@ -11,6 +12,8 @@
 #include "ui/measurement/measurement_panel.hpp"
 #include "ui/measurement/recordings_model.hpp"
 #include "ui/measurement/recordings_page.hpp"
+#include "ui/style/style.hpp"
+#include "ui/style/translator.hpp"
 
 namespace analogon::ui {
 namespace {
@@ -217,6 +220,51 @@ TEST_F(RecordingsTable, HoldsTwoHundredRecordingsWithoutAPauseAndSortsThem) {
     EXPECT_EQ(std::count_if(document().study().experiments.begin(), document().study().experiments.end(),
                             [](const StudyExperiment& e) { return !e.isUsed; }),
               1);
+}
+
+/// A small screen, both languages, light and dark, with a recording that is left out, one with a fault and one gone.
+TEST(RecordingsTablePictures, HaveRoomForEveryWord) {
+    const QTemporaryDir copy;
+    const QDir example(QStringLiteral(ANALOGON_ROOT "/examples/lambda-sensor-heating"));
+    for (const QString& file : example.entryList(QDir::Files)) QFile::copy(example.filePath(file), copy.filePath(file));
+    ASSERT_TRUE(QFile::remove(copy.filePath("validation.csv")));
+    for (const char* language : {"en", "de"})
+        for (const bool isDark : {false, true}) {
+            Translator translator;
+            if (translator.loadLanguage(language)) QCoreApplication::installTranslator(&translator);
+            style::apply(*qApp, isDark ? style::Theme::Dark : style::Theme::Light);
+            {
+                MainWindow window;
+                window.resize(1024, 700);
+                window.show();
+                window.open(copy.filePath("study.json"));
+                ASSERT_TRUE(QTest::qWaitFor([&] { return window.document().before() != nullptr; }, 20000));
+                StudySettings settings = window.document().settings();
+                for (const char* name : {"cold start in winter", "left out"}) {
+                    settings.experiments.push_back(settings.experiments.front());
+                    settings.experiments.back().name = name;
+                }
+                settings.experiments.back().isUsed = false;
+                settings.experiments[2].outputs.begin()->second.column = "nowhere";
+                window.document().applySettings(settings, "add");
+                for (QAction* action : window.findChildren<QAction*>())
+                    if (action->shortcut() == QKeySequence(Qt::Key_F8)) action->trigger();
+                QTest::qWait(300);
+                const QSize before = window.size();
+                window.findChild<QAction*>("recordings")->trigger();
+                auto* page = window.findChild<RecordingsPage*>();
+                ASSERT_TRUE(page->isVisible());
+                QTest::qWait(1500);
+                for (const QPushButton* button : page->findChildren<QPushButton*>())
+                    EXPECT_GE(button->width(), button->sizeHint().width()) << language << button->text().toStdString();
+                EXPECT_EQ(window.size(), before) << language;
+                window.grab().save(
+                    QStringLiteral(ANALOGON_PICTURES "/recordings-%1-%2.png").arg(language, isDark ? "dark" : "light"));
+                window.document().undoStack().setClean();
+            }
+            QCoreApplication::removeTranslator(&translator);
+        }
+    style::apply(*qApp, style::Theme::Light);
 }
 
 }  // namespace

@@ -22,9 +22,9 @@ namespace {
 /// Whether a sentence tells how something is written down in a study.json: an object, a member, one of its words.
 bool speaksOfFile(const QString& sentence) {
     static const QRegularExpression file(
-        R"re(\{\{|"[a-z_]+"\s*:|study\.json|"(?:range|use|read|clock|initial|raster|value|fit|validate|weight|inputs|)re"
-        R"re(outputs|parameters|decimal|thousands|time|time_zone|time_format|interpolation|hold|linear|scale|lin|role|)re"
-        R"re(column|group|unit|skip|separator)")re");
+        R"re(\{\{|"[a-z_]+"\s*:|study\.json|"(?:range|use|read|clock|initial|raster|value|fit|validate|)re"
+        R"re(weight|inputs|outputs|parameters|decimal|thousands|time|time_zone|time_format|interpolation|)re"
+        R"re(hold|linear|scale|lin|role|column|group|unit|skip|separator)")re");
     return sentence.contains(file);
 }
 

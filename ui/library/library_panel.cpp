@@ -69,6 +69,7 @@ LibraryPanel::LibraryPanel(Document& document, QWidget* parent)
     text_->setMinimumHeight(4 * fontMetrics().lineSpacing() + 2 * style::margin);  // a name and what it is for
 
     auto* splitter = new QSplitter(Qt::Vertical, this);
+    splitter->setObjectName("library-parts");
     splitter->addWidget(tree_);
     splitter->addWidget(text_);
     splitter->setStretchFactor(0, 3);

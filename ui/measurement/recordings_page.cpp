@@ -76,9 +76,7 @@ RecordingsPage::RecordingsPage(Document& document, QWidget* parent)
       close_(new QPushButton(tr("Close"), this)) {
     style::makeCaption(caption_);
     caption_->setWordWrap(true);
-    caption_->setText(
-        tr("Click a heading to sort. Space takes the marked rows in or out; roles and weights are edited "
-           "in their cells."));
+    caption_->setText(tr("Space takes the marked rows in or out. Role and weight are edited in their cells."));
     sorted_->setSourceModel(model_);
     sorted_->setSortRole(RecordingsModel::SortRole);
     sorted_->setSortCaseSensitivity(Qt::CaseInsensitive);
@@ -106,7 +104,7 @@ RecordingsPage::RecordingsPage(Document& document, QWidget* parent)
     view_->horizontalHeader()->setMinimumSectionSize(9 * style::unit);
     view_->horizontalHeader()->setStretchLastSection(true);
     view_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    view_->horizontalHeader()->setResizeContentsPrecision(0);  // by the rows in sight
+    view_->horizontalHeader()->setResizeContentsPrecision(0);
     for (const int column : {RecordingsModel::Name, RecordingsModel::File})
         view_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Interactive);
     view_->installEventFilter(this);
@@ -132,11 +130,13 @@ RecordingsPage::RecordingsPage(Document& document, QWidget* parent)
 
 /// The first columns are as wide as their names, as long as these leave room for the others.
 void RecordingsPage::fitNames() {
+    view_->horizontalHeader()->setResizeContentsPrecision(-1);
     for (const int column : {RecordingsModel::Name, RecordingsModel::File}) {
         view_->resizeColumnToContents(column);
         const int most = std::max(30 * style::unit, view_->viewport()->width() * 3 / 10);
         view_->setColumnWidth(column, std::min(view_->columnWidth(column) + 2 * style::unit, most));
     }
+    view_->horizontalHeader()->setResizeContentsPrecision(0);  // the others by the rows in sight
 }
 
 QLayout* RecordingsPage::buttons() {
@@ -148,6 +148,7 @@ QLayout* RecordingsPage::buttons() {
     row->addWidget(search_);
     row->addStretch(1);
     row->addWidget(close_);
+    for (QPushButton* button : {fit_, search_}) button->setMinimumWidth(22 * style::unit);  // before the window grows
     connect(fit_, &QPushButton::clicked, this, [this] { Q_EMIT fitWanted(marked()); });
     connect(search_, &QPushButton::clicked, this, [this] { Q_EMIT searchWanted(marked()); });
     connect(close_, &QPushButton::clicked, this, &RecordingsPage::left);

@@ -30,13 +30,17 @@ QString iconName(Severity severity) {
     return QStringLiteral("note");
 }
 
-/// What a study says of itself is worked on in the panels, and its file is no place to go to.
-bool hasPlace(const Place& place) {
-    return place.line > 0 && QFileInfo(QString::fromStdString(place.file)).fileName() != QLatin1String("study.json");
+/// Faults of a study that is open are mended in the panels, and its file is no place to go to; when it is read, it is.
+bool isWithoutPlace(const Message& message) {
+    const QFileInfo file(QString::fromStdString(message.diagnostic.place.file));
+    return message.origin != Message::Origin::Study && file.fileName() == QLatin1String("study.json");
 }
 
-QString placeText(const Place& place) {
-    if (!hasPlace(place) && place.line > 0) return {};
+bool hasPlace(const Message& message) { return message.diagnostic.place.line > 0 && !isWithoutPlace(message); }
+
+QString placeText(const Message& message) {
+    if (isWithoutPlace(message)) return {};
+    const Place& place = message.diagnostic.place;
     QString text = QFileInfo(QString::fromStdString(place.file)).fileName();
     if (place.line > 0) text += QStringLiteral(":%1").arg(place.line);
     if (place.column > 0) text += QStringLiteral(":%1").arg(place.column);
@@ -64,7 +68,7 @@ MessagePanel::MessagePanel(Document& document, QWidget* parent)
         const auto row = item->data(Qt::UserRole).toUInt();
         if (row >= document_.messages().size()) return;
         const Diagnostic& d = document_.messages()[row].diagnostic;
-        if (hasPlace(d.place)) return Q_EMIT placeChosen(d.place);
+        if (hasPlace(document_.messages()[row])) return Q_EMIT placeChosen(d.place);
         if (const auto mention = mentionIn(document_, d.message)) Q_EMIT mentionChosen(*mention);
     };
     connect(list_, &QListWidget::itemClicked, this, choose);
@@ -103,7 +107,7 @@ void MessagePanel::refresh() {
         const Diagnostic& d = document_.messages()[i].diagnostic;
         if (!told.emplace(d.message.english(), d.place.line, d.place.column).second) continue;
         QString text = inWords(d.message);
-        const QString place = placeText(d.place);
+        const QString place = placeText(document_.messages()[i]);
         if (!place.isEmpty()) text = place + "  " + text;
         if (!d.hint.empty()) text += "\n" + inWords(d.hint);
         const bool hint = isHint(document_.messages()[i]);
@@ -116,7 +120,7 @@ void MessagePanel::refresh() {
             ++errors;
             item->setForeground(style::fault(palette()));
         }
-        if (hasPlace(d.place))
+        if (hasPlace(document_.messages()[i]))
             item->setToolTip(QString::fromStdString(d.place.file) + "\n" + tr("Click to see the place"));
         else if (const auto mention = mentionIn(document_, d.message))
             item->setToolTip(tr("Click to see %1").arg(mention->name));

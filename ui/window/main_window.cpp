@@ -12,6 +12,7 @@
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QTableView>
+#include <QTextBrowser>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -82,6 +83,24 @@ private:
     bool isCollapsed_{};
 };
 
+/// Where the user put the borders within panels stays over the next start.
+void keepSplitters(const QWidget& window, Settings& settings, const QSplitter* other) {
+    for (QSplitter* const splitter : window.findChildren<QSplitter*>()) {
+        if (splitter->objectName().isEmpty() || splitter == other) continue;
+        const QString key = QStringLiteral("window/splitter/") + splitter->objectName();
+        splitter->restoreState(settings.value(key).toByteArray());
+        QObject::connect(splitter, &QSplitter::splitterMoved, splitter,
+                         [&settings, splitter, key] { settings.setValue(key, splitter->saveState()); });
+    }
+}
+
+QString whyFailed(const Document& document) {
+    for (const Message& message : document.messages())
+        if (message.origin == Message::Origin::Run && message.diagnostic.severity == Severity::Error)
+            return inWords(message.diagnostic.message);
+    return MainWindow::tr("see the messages");
+}
+
 }  // namespace
 
 MainWindow::MainWindow(QWidget* parent)
@@ -106,6 +125,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectPanels();
     resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
     arrangeDocks();
+    keepSplitters(*this, settings_, both_);
     restoreLayout();
     showStudy();
 }
@@ -476,7 +496,7 @@ void MainWindow::connectPanels() {
     connect(document_, &Document::experimentsChanged, this, &MainWindow::updateActions);
     connect(document_, &Document::saved, this, [this](bool isDone) {
         statusBar()->showMessage(isDone ? tr("Saved to %1.").arg(document_->path())
-                                        : tr("Not saved: see the messages."));
+                                        : tr("Not saved: %1").arg(whyFailed(*document_)));
         if (isDone) rememberRecent(document_->path());
         const auto next = std::exchange(afterSave_, nullptr);
         if (isDone && next) next();
@@ -693,21 +713,31 @@ void MainWindow::showGenerate() {
     pages_->setCurrentWidget(generate_);
 }
 
+/// The same key again leads back to the work, and to where the keys went.
 void MainWindow::showGuide() {
     if (!guide_) {
         guide_ = new GuidePage(this);
         connect(guide_, &GuidePage::left, this, [this] {
-            if (document_->isOpen()) centre_->removeTab(centre_->indexOf(guide_));
-            showStudy();
+            if (!document_->isOpen() || centre_->indexOf(guide_) < 0) return showStudy();
+            const GuidePage::Before before = guide_->before();
+            centre_->removeTab(centre_->indexOf(guide_));
+            if (before.page && centre_->indexOf(before.page) >= 0) centre_->setCurrentWidget(before.page);
+            QWidget* const keys = before.focus && before.focus->isVisible() ? before.focus.data() : view_;
+            keys->setFocus(Qt::OtherFocusReason);
         });
     }
+    if (guide_->isVisible()) return Q_EMIT guide_->left();
     if (document_->isOpen()) {
-        if (centre_->indexOf(guide_) < 0) centre_->addTab(guide_, tr("Guide"));
+        if (centre_->indexOf(guide_) < 0) {
+            guide_->comeFrom({centre_->currentWidget(), QApplication::focusWidget()});
+            centre_->addTab(guide_, tr("Guide"));
+        }
         centre_->setCurrentWidget(guide_);
     } else {
         pages_->addWidget(guide_);
         pages_->setCurrentWidget(guide_);
     }
+    guide_->browser()->setFocus(Qt::OtherFocusReason);
 }
 
 void MainWindow::startNew() { document_->startNew(tr("Untitled")); }

@@ -48,6 +48,22 @@ bool isStudy(const QString& path) {
     return file.isDir() || file.suffix() == "json" || isArchive(path.toStdString());
 }
 
+constexpr const char* folderKey = "window/folder";
+
+/// A dialog beside the window. It begins where the last one ended, in this start or in an earlier one.
+QFileDialog* fileDialog(QWidget* window, Settings& settings, const QString& title, const QString& name) {
+    auto* dialog = new QFileDialog(window, title);
+    dialog->setObjectName(name);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setModal(false);
+    const QString folder = settings.value(folderKey).toString();
+    if (!folder.isEmpty() && QFileInfo(folder).isDir()) dialog->setDirectory(folder);
+    QObject::connect(dialog, &QFileDialog::fileSelected, dialog, [&settings](const QString& path) {
+        settings.setValue(folderKey, QFileInfo(path).absolutePath());
+    });
+    return dialog;
+}
+
 }  // namespace
 
 void MainWindow::open(const QString& path) {
@@ -123,10 +139,7 @@ QStringList MainWindow::measurementFilters() {
 }
 
 void MainWindow::askForMeasurement() {
-    auto* dialog = new QFileDialog(this, tr("Import a measurement"));
-    dialog->setObjectName("import-dialog");
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setModal(false);
+    QFileDialog* const dialog = fileDialog(this, settings_, tr("Import a measurement"), "import-dialog");
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setNameFilters(measurementFilters());
     connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::importMeasurement);
@@ -143,10 +156,8 @@ void MainWindow::importMeasurement(const QString& path) {
 
 /// The file of a recording that is not where the study says.
 void MainWindow::askWhereItIs(const QString& experiment) {
-    auto* dialog = new QFileDialog(this, tr("Locate the file of %1").arg(experiment));
-    dialog->setObjectName("locate-dialog");
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setModal(false);
+    QFileDialog* const dialog =
+        fileDialog(this, settings_, tr("Locate the file of %1").arg(experiment), "locate-dialog");
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setNameFilters(measurementFilters());
     connect(dialog, &QFileDialog::fileSelected, this,
@@ -220,10 +231,7 @@ void MainWindow::leaveRecordings() {
 }
 
 void MainWindow::askForStudy(bool isDirectory) {
-    auto* dialog = new QFileDialog(this, tr("Open a study"));
-    dialog->setObjectName("open-dialog");
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setModal(false);
+    QFileDialog* const dialog = fileDialog(this, settings_, tr("Open a study"), "open-dialog");
     dialog->setFileMode(isDirectory ? QFileDialog::Directory : QFileDialog::ExistingFile);
     if (!isDirectory) dialog->setNameFilter(tr("Studies (*.analogon study.json)"));
     connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::open);
@@ -231,10 +239,7 @@ void MainWindow::askForStudy(bool isDirectory) {
 }
 
 void MainWindow::askWhereToSave() {
-    auto* dialog = new QFileDialog(this, tr("Save the study"));
-    dialog->setObjectName("save-dialog");
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setModal(false);
+    QFileDialog* const dialog = fileDialog(this, settings_, tr("Save the study"), "save-dialog");
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilter(tr("Studies (*.analogon)"));
     dialog->setDefaultSuffix("analogon");
@@ -246,9 +251,7 @@ void MainWindow::askWhereToSave() {
 }
 
 void MainWindow::askWhereToReport() {
-    auto* dialog = new QFileDialog(this, tr("Write the report into a directory"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setModal(false);
+    QFileDialog* const dialog = fileDialog(this, settings_, tr("Write the report into a directory"), "report-dialog");
     dialog->setFileMode(QFileDialog::Directory);
     connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::writeReport);
     dialog->show();
@@ -297,10 +300,7 @@ void MainWindow::askWhereToExport(ExportFormat format) {
         }
         return {tr("Tables (*.csv)"), "csv"};
     }();
-    auto* dialog = new QFileDialog(this, tr("Export"));
-    dialog->setObjectName("export-dialog");
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setModal(false);
+    QFileDialog* const dialog = fileDialog(this, settings_, tr("Export"), "export-dialog");
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilter(filter);
     dialog->setDefaultSuffix(ending);

@@ -375,6 +375,9 @@ private:
         runs->history()->topLevelItem(0)->setSelected(true);
         settle();
         take(window, "22-a-run-with-a-name");
+        window.findChild<QAction*>("recordings")->trigger();
+        settle(300);
+        take(window, "22-recordings");
         document.undoStack().setClean();
         return true;
     }
