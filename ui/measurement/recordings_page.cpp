@@ -63,6 +63,35 @@ public:
     }
 };
 
+/// Rows are marked, cells are edited; names take their width once, all else as much as it needs.
+void setUp(QTableView* view) {
+    view->setSortingEnabled(true);
+    view->horizontalHeader()->setSortIndicatorClearable(true);
+    view->sortByColumn(-1, Qt::AscendingOrder);  // as they are in the study
+    view->setTabKeyNavigation(false);            // Tab leads on; the arrows lead from cell to cell
+    view->setFrameShape(QFrame::NoFrame);
+    view->setShowGrid(false);
+    view->setAlternatingRowColors(true);
+    view->setWordWrap(false);
+    view->setSelectionBehavior(QAbstractItemView::SelectRows);
+    view->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    view->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                          QAbstractItemView::AnyKeyPressed);
+    view->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    view->setContextMenuPolicy(Qt::CustomContextMenu);
+    view->setAccessibleName(RecordingsPage::tr("Recordings"));
+    view->verticalHeader()->hide();
+    view->verticalHeader()->setDefaultSectionSize(view->fontMetrics().height() + 2 * style::unit);
+    view->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    view->horizontalHeader()->setHighlightSections(false);
+    view->horizontalHeader()->setMinimumSectionSize(9 * style::unit);
+    view->horizontalHeader()->setStretchLastSection(true);
+    view->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    view->horizontalHeader()->setResizeContentsPrecision(0);
+    for (const int column : {RecordingsModel::Name, RecordingsModel::File})
+        view->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Interactive);
+}
+
 }  // namespace
 
 RecordingsPage::RecordingsPage(Document& document, QWidget* parent)
@@ -82,31 +111,7 @@ RecordingsPage::RecordingsPage(Document& document, QWidget* parent)
     sorted_->setSortCaseSensitivity(Qt::CaseInsensitive);
     view_->setModel(sorted_);
     view_->setItemDelegate(new RecordingDelegate(view_));
-    view_->setSortingEnabled(true);
-    view_->horizontalHeader()->setSortIndicatorClearable(true);
-    view_->sortByColumn(-1, Qt::AscendingOrder);  // as they are in the study
-    view_->setTabKeyNavigation(false);            // Tab leads on; the arrows lead from cell to cell
-    view_->setFrameShape(QFrame::NoFrame);
-    view_->setShowGrid(false);
-    view_->setAlternatingRowColors(true);
-    view_->setWordWrap(false);
-    view_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    view_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    view_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
-                           QAbstractItemView::AnyKeyPressed);
-    view_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    view_->setContextMenuPolicy(Qt::CustomContextMenu);
-    view_->setAccessibleName(tr("Recordings"));
-    view_->verticalHeader()->hide();
-    view_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 2 * style::unit);
-    view_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    view_->horizontalHeader()->setHighlightSections(false);
-    view_->horizontalHeader()->setMinimumSectionSize(9 * style::unit);
-    view_->horizontalHeader()->setStretchLastSection(true);
-    view_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    view_->horizontalHeader()->setResizeContentsPrecision(0);
-    for (const int column : {RecordingsModel::Name, RecordingsModel::File})
-        view_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Interactive);
+    setUp(view_);
     view_->installEventFilter(this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(style::margin, style::margin, style::margin, style::margin);

@@ -1,0 +1,266 @@
+#include <QHeaderView>
+#include <QLabel>
+#include <QScrollBar>
+#include <QStackedLayout>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <map>
+#include <set>
+
+#include "core/measure/all_channels.hpp"
+#include "core/measure/channel_place.hpp"
+#include "core/measure/common_raster.hpp"
+#include "core/study/recorded.hpp"
+#include "ui/document/document.hpp"
+#include "ui/measurement/locate.hpp"
+#include "ui/measurement/mapping_text.hpp"
+#include "ui/measurement/measurement_panel.hpp"
+#include "ui/measurement/recording_extent.hpp"
+#include "ui/style/number.hpp"
+#include "ui/style/style.hpp"
+#include "ui/words/words.hpp"
+
+/// The rows of the list of recordings: what they show of the study.
+namespace analogon::ui {
+
+namespace {
+
+/// Whether a recording is used, and for what.
+void showUse(QTreeWidgetItem* top, const StudyExperiment& experiment, const QPalette& palette) {
+    const bool isFit = experiment.role == Role::Fit;
+    QFont bold = top->font(0);
+    bold.setWeight(QFont::DemiBold);
+    top->setFont(0, bold);
+    top->setCheckState(0, experiment.isUsed ? Qt::Checked : Qt::Unchecked);
+    top->setText(1, isFit ? MeasurementPanel::tr("fit") : MeasurementPanel::tr("validate"));
+    top->setToolTip(1, isFit ? MeasurementPanel::tr("Used to fit and to choose effects")
+                             : MeasurementPanel::tr("Only reported; never used to fit or to choose"));
+    top->setForeground(1, isFit ? style::accentText(palette) : style::mutedText(palette));
+}
+
+QString rangeText(const StudyExperiment& experiment) {
+    if (!experiment.range) return MeasurementPanel::tr("all");
+    const auto [from, to] = *experiment.range;
+    return QStringLiteral("%1 … %2 s").arg(style::numberText(from, 6), style::numberText(to, 6));
+}
+
+}  // namespace
+
+QTreeWidgetItem* MeasurementPanel::addRow(QTreeWidgetItem* top, Kind kind, const QString& text, const QString& value) {
+    auto* item = new QTreeWidgetItem(top, {text, value});
+    item->setData(0, kindRole, static_cast<int>(kind));
+    return item;
+}
+
+void MeasurementPanel::addSpares(QTreeWidgetItem* top, const Table& file, const std::set<QString>& used) {
+    const QColor muted = style::mutedText(palette());
+    const QIcon icon = style::icon("spare");
+    const ChannelLabels labels(file);
+    QList<QTreeWidgetItem*> items;
+    for (const Column* column : channelsOf(file)) {
+        const std::string name = labels.of(*column);
+        const QString label = QString::fromStdString(name);
+        if (used.contains(label)) continue;
+        auto* item = new QTreeWidgetItem({tr("not used"), withUnit(name, column->unit)});
+        item->setData(0, kindRole, static_cast<int>(Kind::Spare));
+        item->setData(1, columnRole, label);
+        item->setIcon(0, icon);
+        item->setToolTip(0, tr("Kept: the search for effects may use it as a cause"));
+        for (int c : {0, 1}) item->setForeground(c, muted);
+        items << item;
+    }
+    top->addChildren(items);
+}
+
+void MeasurementPanel::showExtent(QTreeWidgetItem* info, const RecordingExtent& extent) {
+    const QString text = QStringLiteral(" · ") + extentText(extent);
+    info->setText(0, info->text(0) + text);
+    info->setToolTip(0, info->toolTip(0).replace('\n', text + '\n'));
+}
+
+/// A range is looked for in every row.
+bool MeasurementPanel::isExtentAtHand(const StudyExperiment& experiment) const {
+    return !experiment.range && isAtHand(document_.study().tables, experiment);
+}
+
+/// Channels of several rasters are joined beside the window: that may take a while.
+void MeasurementPanel::measureExtents() {
+    using Extents = std::vector<std::pair<QString, RecordingExtent>>;
+    std::vector<StudyExperiment> experiments;
+    if (document_.isOpen())
+        for (const StudyExperiment& e : document_.study().experiments)
+            if (!isExtentAtHand(e)) experiments.push_back(e);
+    if (experiments.empty()) return measurer_.drop();
+    measurer_.start<Extents>(
+        tr("Reading"),
+        [experiments, tables = document_.study().tables](const Progress& progress) {
+            Extents extents;
+            for (const StudyExperiment& e : experiments) {
+                if (progress.stopRequested()) break;
+                if (const auto table = shownTable(tables, e))
+                    extents.emplace_back(QString::fromStdString(e.name), extentOf(*table, e));
+            }
+            return extents;
+        },
+        [this](const Extents& extents) {
+            // no width depends on it: the columns need not be measured with each of them
+            const QSignalBlocker blocker(tree_), quiet(tree_->model());
+            tree_->viewport()->update();
+            for (int i = 0; i < tree_->topLevelItemCount(); ++i)
+                for (const auto& [name, extent] : extents)
+                    if (QTreeWidgetItem* const top = tree_->topLevelItem(i);
+                        top->data(0, experimentRole).toString() == name && top->childCount() > 0)
+                        showExtent(top->child(0), extent);
+        });
+}
+
+void MeasurementPanel::markLeftOut() {
+    const QSignalBlocker blocker(tree_);
+    for (int i = 0; i < tree_->topLevelItemCount(); ++i)
+        if (const StudyExperiment* const experiment = experimentOf(tree_->topLevelItem(i)))
+            mark(tree_->topLevelItem(i), *experiment);
+}
+
+/// A recording that is not used, or has a fault, is told from the others, and why is said where one points.
+void MeasurementPanel::mark(QTreeWidgetItem* top, const StudyExperiment& experiment) const {
+    const bool isMissing = isUnread(document_, QString::fromStdString(experiment.name));
+    const FaultyRecording* const faulty = experiment.isUsed ? document_.leftOut(experiment.name) : nullptr;
+    QStringList why;
+    for (const Diagnostic& said : faulty ? faulty->why : Diagnostics())
+        if (said.severity == Severity::Error) why << inWords(said.message);
+    const QString tip = faulty              ? tr("Left out until this is mended:") + "\n" + why.join('\n')
+                        : experiment.isUsed ? tr("Clear the check box to leave the recording out of all work")
+                                            : tr("Left out of all work; set the check box to take it in");
+    if (top->toolTip(0) == tip) return;  // it says all that the row shows of it
+    top->setIcon(0, style::icon(isMissing ? "error" : faulty ? "warning" : "recording"));
+    top->setForeground(0, !experiment.isUsed    ? QBrush(style::mutedText(palette()))
+                          : faulty || isMissing ? QBrush(style::caution(palette()))
+                                                : QBrush());
+    top->setToolTip(0, tip);
+}
+
+/// Why there is nothing of the file, and what to do.
+void MeasurementPanel::addUnread(QTreeWidgetItem* top, const StudyExperiment& experiment) {
+    if (!isUnread(document_, QString::fromStdString(experiment.name))) return;
+    const Diagnostics& faults = document_.study().unread.at(tableKey(experiment));
+    auto* item = addRow(top, Kind::Unread, inWords(faults.front().message), {});
+    item->setIcon(0, style::icon("error"));
+    item->setForeground(0, style::fault(palette()));
+    QStringList tip;
+    for (const Diagnostic& d : faults) tip << inWords(d.message);
+    tip << tr("Double-click or Enter looks for the file");
+    item->setToolTip(0, tip.join('\n'));
+}
+
+/// The row of a recording with those below it. They come into the tree together: it lays itself out once.
+QTreeWidgetItem* MeasurementPanel::itemOf(const StudyExperiment& experiment) {
+    const std::shared_ptr<const Table> whole = fileTable(document_.study().tables, experiment);
+    const Table* const table = whole.get();
+    const QString file = QString::fromStdString(std::filesystem::path(experiment.file).filename().string());
+    const QString name = QString::fromStdString(experiment.name);
+    const QColor muted = style::mutedText(palette());
+    auto* top = new QTreeWidgetItem({name});
+    top->setFlags(top->flags() | Qt::ItemIsEditable);
+    top->setData(0, experimentRole, name);
+    top->setData(0, kindRole, static_cast<int>(Kind::Experiment));
+    showUse(top, experiment, palette());
+    auto* info = addRow(top, Kind::Info, file, {});
+    info->setForeground(0, muted);
+    info->setToolTip(0, QString::fromStdString(experiment.file) + "\n" + tr("Double-click or Enter shows the values"));
+    addUnread(top, experiment);
+    mark(top, experiment);
+    if (table && isExtentAtHand(experiment)) showExtent(info, extentOf(*table, experiment));
+
+    std::set<QString> used{labelText(table, {experiment.timeColumn, experiment.timeGroup})};
+    const auto add = [&](const std::map<std::string, ChannelMapping>& channels,
+                         const std::vector<SignalFact>& signalFacts, Kind kind) {
+        const bool isInput = kind == Kind::Input;
+        const auto addSignal = [&](const std::string& signal, const ChannelMapping* mapping) {
+            auto* item = addRow(top, kind, QString::fromStdString(signal),
+                                mapping ? columnText(table, *mapping) : tr("not mapped"));
+            item->setFlags(item->flags() | Qt::ItemIsEditable);
+            item->setData(0, signalRole, QString::fromStdString(signal));
+            item->setIcon(0, style::icon(isInput ? "input" : "output"));
+            item->setToolTip(0, isInput ? tr("Input of the model") : tr("Output of the model"));
+            if (!mapping) {
+                item->setForeground(1, style::caution(palette()));
+                item->setToolTip(1, tr("Drag a column here, or double-click and choose one"));
+                item->setData(1, columnRole, QString());
+                return;
+            }
+            const QString label = labelText(table, mapping->channel());
+            item->setData(1, columnRole, label);
+            item->setToolTip(1, mappingTip(*mapping, file));
+            item->setText(Clock, clockText(*mapping));
+            item->setForeground(Clock, mapping->fitsClock      ? style::accentText(palette())
+                                       : hasOwnClock(*mapping) ? palette().color(QPalette::Text)
+                                                               : muted);
+            item->setToolTip(Clock, clockTip(!isInput));
+            used.insert(label);
+        };
+        for (const auto& [signal, mapping] : channels) addSignal(signal, &mapping);
+        for (const SignalFact& fact : signalFacts)
+            if (!channels.contains(fact.name)) addSignal(fact.name, nullptr);
+    };
+    add(experiment.inputs, document_.facts().inputs, Kind::Input);
+    add(experiment.outputs, document_.facts().outputs, Kind::Output);
+    if (table) addSpares(top, *table, used);
+    auto* rangeItem = addRow(top, Kind::Range, tr("range"), rangeText(experiment));
+    rangeItem->setFlags(rangeItem->flags() | Qt::ItemIsEditable);
+    rangeItem->setIcon(0, style::icon("time"));
+    rangeItem->setForeground(1, muted);
+    rangeItem->setToolTip(1, tr("Double-click and type from and to, in seconds"));
+    return top;
+}
+
+/// All rows anew. A recording stays folded or unfolded; of many, new ones are folded.
+void MeasurementPanel::fillTree() {
+    constexpr std::size_t mostUnfolded = 12;
+    const std::vector<StudyExperiment>& experiments = document_.study().experiments;
+    std::map<QString, bool> wasUnfolded;
+    for (int i = 0; i < tree_->topLevelItemCount(); ++i)
+        wasUnfolded[tree_->topLevelItem(i)->data(0, experimentRole).toString()] = tree_->topLevelItem(i)->isExpanded();
+    QList<QTreeWidgetItem*> items;
+    for (const StudyExperiment& experiment : experiments) items << itemOf(experiment);
+    tree_->clear();
+    tree_->addTopLevelItems(items);
+    for (QTreeWidgetItem* const top : items) {
+        for (int i = 0; i < top->childCount(); ++i)
+            if (const auto kind = static_cast<Kind>(top->child(i)->data(0, kindRole).toInt());
+                kind == Kind::Info || kind == Kind::Unread)
+                top->child(i)->setFirstColumnSpanned(true);
+        const auto known = wasUnfolded.find(top->data(0, experimentRole).toString());
+        const bool isFew = experiments.size() <= mostUnfolded;
+        top->setExpanded(known == wasUnfolded.end() ? isFew : known->second);
+    }
+}
+
+void MeasurementPanel::refresh() {
+    const QSignalBlocker blocker(tree_);
+    const auto hasClock = [](const StudyExperiment& experiment) {
+        const auto isOwn = [](const auto& channel) { return hasOwnClock(channel.second); };
+        return std::any_of(experiment.inputs.begin(), experiment.inputs.end(), isOwn) ||
+               std::any_of(experiment.outputs.begin(), experiment.outputs.end(), isOwn);
+    };
+    const int scrolled = tree_->verticalScrollBar()->value();
+    const bool isOpen = document_.isOpen();
+    import_->setEnabled(isOpen);
+    table_->setEnabled(isOpen && !document_.study().experiments.empty());
+    propose_->setEnabled(isOpen && !document_.study().experiments.empty());
+    if (isOpen)
+        fillTree();
+    else
+        tree_->clear();
+    measureExtents();
+    // few loggers have one: the names of columns need the room
+    const auto& experiments = document_.study().experiments;
+    tree_->setColumnHidden(Clock, !isOpen || std::none_of(experiments.begin(), experiments.end(), hasClock));
+    tree_->verticalScrollBar()->setValue(scrolled);
+    empty_->setText(isOpen
+                        ? tr("Drop a measurement file on the window, or press Import.\nIts columns are then mapped to "
+                             "the inputs and outputs of the model.")
+                        : tr("The measurements of the open study appear here."));
+    pages_->setCurrentWidget(tree_->topLevelItemCount() > 0 ? static_cast<QWidget*>(tree_) : empty_);
+}
+
+}  // namespace analogon::ui
