@@ -1,6 +1,7 @@
 #include "ui/words/window_words.hpp"
 
 #include <QDirIterator>
+#include <QDockWidget>
 #include <QFile>
 #include <QLabel>
 #include <QListWidget>
@@ -179,6 +180,9 @@ TEST_F(WindowMessages, WhatIsNotConnectedYetIsAGreyHintUntilARunIsAskedFor) {
     auto* why = window.findChild<QToolButton*>("why-no-run");
     EXPECT_TRUE(why->isVisible());
     EXPECT_EQ(why->text(), "Not connected yet: no run");
+    window.findChild<QDockWidget*>("messages")->raise();
+    QTest::qWait(50);
+    window.grab().save(QStringLiteral(ANALOGON_PICTURES) + "/not-connected.png");
     window.activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
     QTest::keyClick(&window, Qt::Key_F5);
