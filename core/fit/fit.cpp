@@ -258,7 +258,9 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
         }
     }
     if (minimum.status == FitStatus::Converged && !isDirect(options.method)) {
-        minimum.message = phrase("converged after {} iterations", iterations);
+        minimum.message = iterations == 0   ? phrase("it began at the optimum")
+                          : iterations == 1 ? phrase("converged after one iteration")
+                                            : phrase("converged after {} iterations", iterations);
     }
     descent.plans = misfit.plans();
     descent.optimum = misfit.takeBestLinearisation();

@@ -9,6 +9,7 @@
 
 #include "core/base/unit.hpp"
 #include "core/base/unit_factors.hpp"
+#include "core/fit/uncertainty.hpp"
 
 namespace analogon {
 namespace {
@@ -173,7 +174,8 @@ std::vector<KnownProduct> knownOfPairs(const std::vector<FittedValue>& parameter
             if (!both.allFinite() || a.value == 0 || b.value == 0) continue;
             const double least =
                 std::min(std::sqrt(both(0, 0)) / std::abs(a.value), std::sqrt(both(1, 1)) / std::abs(b.value));
-            if (!(least > uncertain)) continue;
+            const double correlation = both(0, 1) / std::sqrt(both(0, 0) * both(1, 1));
+            if (!(least > uncertain) && !(std::abs(correlation) > hardlyToldApart)) continue;
             const std::vector<KnownProduct> all = combinationsOf(a, b, both);
             const auto best = std::min_element(
                 all.begin(), all.end(),

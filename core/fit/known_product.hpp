@@ -31,8 +31,9 @@ std::vector<KnownProduct> knownProducts(const std::vector<FittedValue>& paramete
                                         const std::vector<Eigen::VectorXd>& directions,
                                         const Eigen::MatrixXd& covariance);
 
-/// What is known of two parameters far better than either, where each is uncertain by more than a tenth: their sum (two
-/// lags one behind the other), difference, product or ratio. `covariance`: NaN where not determined.
+/// What is known of two parameters far better than either, where each is uncertain by more than a tenth or they can
+/// hardly be told apart: their sum (two lags one behind the other), difference, product or ratio. `covariance`: NaN
+/// where not determined.
 std::vector<KnownProduct> knownOfPairs(const std::vector<FittedValue>& parameters, const Eigen::MatrixXd& covariance);
 
 }  // namespace analogon

@@ -104,7 +104,7 @@ Uncertainty uncertaintyOf(const Eigen::MatrixXd& jacobian, double variance, cons
     }
     for (Eigen::Index i = 0; i < K; ++i) {
         for (Eigen::Index j = i + 1; j < K; ++j) {
-            if (std::abs(result.correlation(i, j)) > 0.9995) {
+            if (std::abs(result.correlation(i, j)) > hardlyToldApart) {
                 result.remarks.push_back(phrase("{} and {} can hardly be told apart (correlation {:.5f})",
                                                 names[static_cast<std::size_t>(i)], names[static_cast<std::size_t>(j)],
                                                 result.correlation(i, j)));

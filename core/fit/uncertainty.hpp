@@ -8,6 +8,9 @@
 
 namespace analogon {
 
+/// Correlation from which on two estimates can hardly be told apart.
+constexpr double hardlyToldApart = 0.9995;
+
 /// What the data say about the parameters at the optimum.
 struct Uncertainty {
     Eigen::VectorXd standardErrors;  // NaN: not determined

@@ -342,7 +342,9 @@ void addOtherParameters(const FlatModel& model, const PlacedEffect& placed, std:
         if (!placed.effect.units.contains(name) ||
             std::any_of(values.begin(), values.end(), [&](const EffectValue& known) { return known.name == name; }))
             continue;
-        if (const std::optional<double> value = model.parameterValue({static_cast<std::uint32_t>(v)}))
+        // the parts of an effect are off at 0 (a heat capacity that is small, what follows from it)
+        if (const std::optional<double> value = model.parameterValue({static_cast<std::uint32_t>(v)});
+            value && *value != 0)
             values.push_back(
                 {name, *value, std::nan(""), variable.unit.empty() ? placed.effect.units.at(name) : variable.unit});
     }

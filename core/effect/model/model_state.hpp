@@ -22,7 +22,7 @@ Outcome<ModelState> valuesAlone(const Variant& variant, const FitResult& fit);
 Outcome<FlatModel> flattened(const EstimationTask& task, const std::string& textWithValues);
 
 /// Adds what an effect holds or computes beside the values known of it (the temperature of the surroundings, the limit
-/// behind a reciprocal), without a standard error.
+/// behind a reciprocal), without a standard error; not what is off, at 0.
 void addOtherParameters(const FlatModel& model, const PlacedEffect& placed, std::vector<EffectValue>& values);
 
 /// Root mean square of error_percent over outputs, those left out that are 0 throughout.

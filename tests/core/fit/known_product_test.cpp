@@ -70,6 +70,16 @@ TEST(KnownOfPairs, IsTheSumOfTwoLagsThatStandInForEachOther) {
     EXPECT_EQ(known[0].unit, "s");
 }
 
+TEST(KnownOfPairs, IsToldOfPrecisePairsThatCanHardlyBeToldApart) {
+    const std::vector<FittedValue> lags{{"first.T", 12.0, "s"}, {"second.T", 11.0, "s"}};
+    // the sum to 0.01 s, the difference to 1 s: each is known to a twentieth
+    const double sum = 1e-4, difference = 1.0, same = (sum + difference) / 4, other = (sum - difference) / 4;
+    const std::vector<KnownProduct> known = knownOfPairs(lags, Eigen::MatrixXd{{same, other}, {other, same}});
+    ASSERT_EQ(known.size(), 1u);
+    EXPECT_EQ(known[0].name, "first.T + second.T");
+    EXPECT_NEAR(known[0].standardError, 0.01, 1e-9);
+}
+
 TEST(KnownOfPairs, IsNothingOfWhatIsKnownByItself) {
     const std::vector<FittedValue> two{{"R", 3, "Ohm"}, {"k", 0.05, "V.s"}};
     EXPECT_TRUE(knownOfPairs(two, Eigen::MatrixXd{{1e-4, 0}, {0, 1e-8}}).empty());

@@ -129,5 +129,29 @@ end M;
     EXPECT_EQ(values.size(), 1u) << "it is known already";
 }
 
+TEST(OtherParameters, AreNoneThatAreOff) {
+    const EstimationTask task = taskOf(R"(model M
+  Analogon.Effects.Thermal.SourceMass element(tau_s=12);
+  Analogon.Thermal.HeatCapacitor body(C=20, T_start=300);
+  Analogon.Sources.Constant power(k=5);
+  Analogon.Sources.PrescribedHeatFlow heater;
+equation
+  connect(power.y, heater.Q_flow);
+  connect(heater.port, element.port_a);
+  connect(element.port_b, body.port);
+end M;
+)",
+                                       "M");
+    const Outcome<FlatModel> flat = flatten(task.library, "M");
+    ASSERT_TRUE(flat) << format(flat.diagnostics());
+    PlacedEffect placed;
+    placed.instance = "element";
+    for (const char* name : {"tau_s", "C_s", "G_s", "R_s"}) placed.effect.units[name] = "1";
+    std::vector<EffectValue> values;
+    addOtherParameters(*flat, placed, values);
+    ASSERT_EQ(values.size(), 1u) << "a heat capacity of 0 says that it is small";
+    EXPECT_EQ(values[0].name, "tau_s");
+}
+
 }  // namespace
 }  // namespace analogon
