@@ -177,8 +177,11 @@ Text lookOf(const Miss& miss, double noise, const std::string& unit) {
 
 }  // namespace
 
-std::vector<Text> poorValidations(const ModelState& state) {
-    std::vector<Text> said;
+namespace {
+
+/// Calls f(experiment, output, miss, noise) for each output of a validation recording that the model misses.
+template <class F>
+void eachMissed(const ModelState& state, const F& f) {
     for (const ExperimentState& e : state.experiments) {
         if (e.role != Role::Validate || e.failure.failed) continue;
         for (const OutputState& output : e.outputs) {
@@ -186,15 +189,32 @@ std::vector<Text> poorValidations(const ModelState& state) {
             const Miss miss(output);
             if (fitted == state.residual.end() || miss.count() < 3) continue;
             const double noise = fitted->second.standardDeviation;
-            if (!(noise > 0) || !isMoreThanNoise(miss, noise, fitted->second.autocorrelationTime)) continue;
-            said.push_back(
-                phrase("'{}': {} is off by {:.3g}{}{} (root mean square), {:.2g} times what is left in "
-                       "the fitted recordings; {}",
-                       e.name, output.name, miss.rms(), output.unit.empty() ? "" : " ", output.unit, miss.rms() / noise,
-                       lookOf(miss, noise, output.unit)));
+            if (noise > 0 && isMoreThanNoise(miss, noise, fitted->second.autocorrelationTime))
+                f(e, output, miss, noise);
         }
     }
+}
+
+}  // namespace
+
+std::vector<Text> poorValidations(const ModelState& state) {
+    std::vector<Text> said;
+    eachMissed(state, [&](const ExperimentState& e, const OutputState& output, const Miss& miss, double noise) {
+        said.push_back(
+            phrase("'{}': {} is off by {:.3g}{}{} (root mean square), {:.2g} times what is left in "
+                   "the fitted recordings; {}",
+                   e.name, output.name, miss.rms(), output.unit.empty() ? "" : " ", output.unit, miss.rms() / noise,
+                   lookOf(miss, noise, output.unit)));
+    });
     return said;
+}
+
+std::vector<std::string> missedRecordings(const ModelState& state) {
+    std::vector<std::string> names;
+    eachMissed(state, [&](const ExperimentState& e, const OutputState&, const Miss&, double) {
+        if (names.empty() || names.back() != e.name) names.push_back(e.name);
+    });
+    return names;
 }
 
 std::vector<Text> wrongStarts(const ModelState& state, Role role) {

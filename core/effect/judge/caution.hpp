@@ -18,6 +18,9 @@ std::vector<Text> driftBetweenRecordings(const NullModel& null);
 /// and whether an offset or a gain of that recording alone is what it looks like.
 std::vector<Text> poorValidations(const ModelState& state);
 
+/// The validation recordings of which the above has something to say, in their order.
+std::vector<std::string> missedRecordings(const ModelState& state);
+
 /// Outputs of the recordings with a role that begin elsewhere than the model does, by far more than what it leaves in
 /// the fitted ones.
 std::vector<Text> wrongStarts(const ModelState& state, Role role);

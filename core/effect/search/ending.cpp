@@ -11,6 +11,7 @@
 #include "core/effect/search/reading_remarks.hpp"
 #include "core/effect/search/verdicts.hpp"
 #include "core/effect/tell/offer.hpp"
+#include "core/effect/tell/other_value.hpp"
 #include "core/effect/tell/proposed_value.hpp"
 
 namespace analogon {
@@ -176,6 +177,9 @@ Finding tellEnding(SearchContext& search, Ending end) {
             phrase("an equation without a name explains as much as {} at {}, and the data do not tell them apart: {}",
                    finding.effects.front().kind, finding.effects.front().at, steps.front().equation));
     append(finding.warnings, poorValidations(sound));
+    Variant asMeasured = null.variant;
+    asMeasured.task.recordings = measured.recordings;
+    append(finding.warnings, otherValues(asMeasured, sound, search.fit, search.progress));
     if (!finding.remainders.empty()) {
         append(finding.warnings, wrongStarts(finding.final, Role::Fit));
         append(finding.warnings, stuckReadings(readings.full.task));
