@@ -6446,6 +6446,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>auf einer Ebene stehen geblieben: Bei {} hat {} keinen Einfluss mehr; anders beginnen oder Grenzen setzen</translation>
     </message>
     <message>
+        <source>it began at the optimum</source>
+        <translation>sie begann am Optimum</translation>
+    </message>
+    <message>
+        <source>converged after one iteration</source>
+        <translation>nach einem Schritt konvergiert</translation>
+    </message>
+    <message>
         <source>converged after {} iterations</source>
         <translation>konvergiert nach {} Iterationen</translation>
     </message>
@@ -10860,6 +10868,18 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>what was left out is not predicted clearly better with it: the error goes from {:.3g} to {:.3g} %, lower in {} of {} parts</source>
         <translation>was weggelassen wurde, wird damit nicht deutlich besser vorausgesagt: Der Fehler geht von {:.3g} auf {:.3g} %, kleiner in {} von {} Teilen</translation>
+    </message>
+    <message>
+        <source>with {} in its place the model predicts nearly as well: what is stored comes late, too</source>
+        <translation>mit {} an seiner Stelle sagt das Modell fast so gut voraus: Was gespeichert wird, kommt ebenfalls später</translation>
+    </message>
+    <message>
+        <source>'{}': with {} there, where the fitted recordings say {:.4g}, the model misses it by {:.0f} % less: the component may be another one, or something around it that was not recorded</source>
+        <translation>„{}“: Mit {} dort, wo die angepassten Aufzeichnungen {:.4g} sagen, verfehlt das Modell sie um {:.0f} % weniger: Das Bauteil mag ein anderes sein, oder etwas um es herum, das nicht aufgezeichnet wurde</translation>
+    </message>
+    <message>
+        <source>{}; {} does nearly as well</source>
+        <translation>{}; {} leistet fast ebenso viel</translation>
     </message>
     <message>
         <source>predicts less well what was left out than {}</source>

@@ -56,6 +56,7 @@ struct Stay {
 struct Whole {
     Node node;
     Readings readings;
+    bool predicts{};  // clearly better than the model as given
 };
 
 /// The nodes that were reached.
@@ -63,6 +64,7 @@ struct Frontier {
     std::vector<Node> otherEnds{};         // of paths that explain less than the best
     std::vector<Stay> visited{};           // with the error of the fitted data [%]
     std::vector<Stay> lawless{};           // where no law passed, with the sum of squares
+    std::optional<NullModel> origin{};     // of the path: without effects
     std::optional<Node> opening{};         // where the first choice of all led
     std::optional<Whole> whole{};          // the best so far, of named effects: what an interrupted search reports
     std::vector<CandidateResult> noted{};  // of the path that was walked on last

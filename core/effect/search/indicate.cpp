@@ -1,17 +1,16 @@
 #include "core/effect/search/indicate.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 #include "core/effect/judge/judgement.hpp"
 #include "core/effect/judge/prediction.hpp"
 #include "core/effect/judge/reason.hpp"
 #include "core/effect/model/model_state.hpp"
-#include "core/effect/model/sampling.hpp"
+#include "core/effect/search/contenders.hpp"
 #include "core/effect/search/context.hpp"
 #include "core/effect/search/exchange.hpp"
 #include "core/effect/search/prune.hpp"
-#include "core/effect/search/refine.hpp"
+#include "core/effect/search/storage.hpp"
 #include "core/effect/search/trials.hpp"
 #include "core/effect/search/verdicts.hpp"
 #include "core/effect/search/without.hpp"
@@ -19,36 +18,10 @@
 
 namespace analogon {
 
-using namespace threshold::prediction;
-using threshold::acceptance::leastShare;
-using threshold::likely::mostAgain;
+using threshold::prediction::mostFreed;
+using threshold::prediction::mostTries;
 
 namespace {
-
-/// Whether an effect is a dead time of more than a few samples. Heat and flows come late by storage as a rule, and what
-/// is stored smooths them, too.
-bool isLongDeadTime(const PlacedEffect& placed, const FitResult& fit, double interval) {
-    if (faultOf(placed.effect) != "delay") return false;
-    const FitEstimate* delay = fit.find(placed.freed.front().name);
-    return delay != nullptr && delay->value > mostSamplesOfDelay * interval;
-}
-
-bool hasLongDeadTime(const NullModel& null) {
-    const double interval = samplingInterval(null.variant.task);
-    return std::any_of(null.variant.effects.begin(), null.variant.effects.end(),
-                       [&](const PlacedEffect& e) { return isLongDeadTime(e, null.fit, interval); });
-}
-
-void tell(const Journal& journal, const std::string& step, const std::string& key, const Prediction& p,
-          const std::string& verdict) {
-    journal.add(step, key,
-                {{"before", p.errorPercentBefore},
-                 {"after", p.errorPercentAfter},
-                 {"blocks", static_cast<double>(p.blocks)},
-                 {"better_in", static_cast<double>(p.betterIn)},
-                 {"clearly_in", static_cast<double>(p.clearlyIn)}},
-                verdict);
-}
 
 /// How the model predicts without one of its effects, and with all.
 struct Missed {
@@ -116,104 +89,19 @@ void confirm(SearchContext& search, Node& node) {
     }
 }
 
-/// A trial that makes the model predict clearly better.
-struct Contender {
-    std::size_t trial{};
-    Prediction prediction;
-};
-
-std::vector<Contender> contendersOf(const SearchContext& search, const NullModel& null,
-                                    const std::vector<Trial>& trials) {
-    std::vector<Contender> contenders;
-    for (std::size_t i = 0; i < trials.size(); ++i) {
-        const Trial& t = trials[i];
-        if (!t.ok || isProposal(t) || t.variant.effects.back().freed.size() > mostFreed || isAtBound(t) ||
-            fightsAnother(null, t.fit) || !(t.evidence > equivalenceMargin))
-            continue;
-        const Prediction prediction = predict(null, t.fit);
-        const bool isClear = isClearlyBetter(prediction);
-        tell(search.journal, "contender", keyOf(t.screened.candidate.effect, t.screened.candidate.place), prediction,
-             isClear ? "predicts" : "refused");
-        if (isClear) contenders.push_back({i, prediction});
-    }
-    // a form that may follow others is indicated only where none of them predicts better
-    const auto isFlexible = [&](const Contender& c) { return trials[c.trial].screened.candidate.effect.flexible; };
-    if (!std::all_of(contenders.begin(), contenders.end(), isFlexible)) std::erase_if(contenders, isFlexible);
-    return contenders;
-}
-
-/// Those that predict nearly as well as the best.
-std::vector<Contender> nearlyBest(std::vector<Contender> contenders) {
-    const auto removesLess = [](const Contender& a, const Contender& b) {
-        return a.prediction.removed() < b.prediction.removed();
-    };
-    const double most = std::max_element(contenders.begin(), contenders.end(), removesLess)->prediction.removed();
-    std::erase_if(contenders, [&](const Contender& c) { return c.prediction.removed() < nearlyAsWell * most; });
-    return contenders;
-}
-
-/// The simplest of those that predict nearly as well as the best stands for all of them.
-void chooseAmong(const SearchContext& search, const NullModel& null, const std::vector<Contender>& contenders,
-                 Round& round) {
-    const double interval = samplingInterval(null.variant.task);
-    const std::vector<Contender> alike = nearlyBest(contenders);
-    const auto order = [&](const Contender& c) {
-        const Trial& t = round.trials[c.trial];
-        const bool isLate = isLongDeadTime(t.variant.effects.back(), t.fit, interval);
-        return std::tuple(isLate, t.freed(), plausibility(t.screened.candidate.effect), -c.prediction.removed());
-    };
-    const Contender& chosen = *std::min_element(
-        alike.begin(), alike.end(), [&](const Contender& a, const Contender& b) { return order(a) < order(b); });
-    round.chosen = chosen.trial;
-    round.members.clear();
-    for (const Contender& c : alike) round.members.push_back(c.trial);
-    const Trial& trial = round.trials[chosen.trial];
-    round.acceptance = examine(search, null, trial, round.threshold);
-    round.behind = phrase("predicts less well what was left out than {}", nameOf(round.candidate(chosen.trial)));
-}
-
-/// A model beside the noise of another, which its residual is to be held against.
-Outcome<NullModel> besideNoiseOf(const SearchContext& search, const NullModel& model, const NullModel& other) {
-    return fitNull(model.variant, other.noise, NoiseLevel::Keep, search.fit, search.progress);
-}
-
-/// A node with what a round has chosen, refitted; nothing where the whole does not predict clearly better than it did
-/// before: a trial that has not come to its end may seem to.
-std::optional<Node> withChoice(SearchContext& search, const Node& node, const Round& round) {
-    Node next = node;
-    Step step = stepOf(search, node.null, round);
-    step.prediction.emplace();
-    Outcome<NullModel> fitted =
-        fitNull(step.winner.variant, node.null.noise, NoiseLevel::Estimate, search.fit, search.progress);
-    if (!fitted || search.progress.stopRequested()) return std::nullopt;
-    next.null = std::move(*fitted);
-    next.steps.push_back(std::move(step));
-    sharpen(search, next);
-    seekFromTheStart(search, search.readings.searched, next.null);
-    const Outcome<NullModel> before = besideNoiseOf(search, node.null, next.null);
-    if (!before || search.progress.stopRequested()) return std::nullopt;
-    Prediction prediction = predict(*before, next.null.fit);
-    if (isClearlyBetter(prediction))
-        if (const auto exact = predictByRefits(*before, next.null, search.fit, search.progress)) prediction = *exact;
-    const bool isClear = isClearlyBetter(prediction) && !search.progress.stopRequested();
-    const Candidate& chosen = round.candidate(*round.chosen);
-    tell(search.journal, "predict", keyOf(chosen.effect, chosen.place), prediction, isClear ? "taken" : "set aside");
-    return isClear ? std::optional(std::move(next)) : std::nullopt;
-}
-
 /// Adds what predicts best beside a node; false where nothing does clearly better than it.
 bool addOne(SearchContext& search, Node& node) {
     Round round = tryAll(search, node.null);
     if (search.progress.stopRequested()) return false;
     std::vector<Contender> contenders = contendersOf(search, node.null, round.trials);
-    for (std::size_t tries = 0; tries < mostAgain && !contenders.empty() && !search.progress.stopRequested(); ++tries) {
-        chooseAmong(search, node.null, contenders, round);
+    for (std::size_t tries = 0; tries < mostTries && !contenders.empty() && !search.progress.stopRequested(); ++tries) {
+        chooseAmong(search, node.null, contenders, tries == 0 ? First::Simplest : First::Best, round);
         if (std::optional<Node> next = withChoice(search, node, round)) {
             noteAll(search, *next, round);
             node = std::move(*next);
             return true;
         }
-        std::erase_if(contenders, [&](const Contender& c) { return c.trial == *round.chosen; });
+        passOver(round, contenders);
     }
     return false;
 }
@@ -260,19 +148,6 @@ std::optional<Node> namesOf(SearchContext& search, const Node& node, const Node&
     return names;
 }
 
-/// Whether a node is the better account of another's recordings: by what it predicts, beside fewer parameters and
-/// without a long dead time also where it predicts nearly as well.
-bool predictsBetter(const SearchContext& search, const Node& node, const Node& than) {
-    const Outcome<NullModel> other = besideNoiseOf(search, than.null, node.null);
-    if (!other) return true;
-    const Prediction p = predict(*other, node.null.fit);
-    const bool isLate = hasLongDeadTime(node.null), isOtherLate = hasLongDeadTime(than.null);
-    if (isLate != isOtherLate)
-        return p.removed() > (isLate ? leastOfDeadTime : -leastOfDeadTime / (1 - leastOfDeadTime));
-    const bool isSimpler = node.null.parameterCount() < than.null.parameterCount();
-    return p.removed() > (isSimpler ? -leastShare : leastShare);
-}
-
 }  // namespace
 
 void indicate(SearchContext& search, Node& node, const std::vector<Node>& ends) {
@@ -295,6 +170,7 @@ void indicate(SearchContext& search, Node& node, const std::vector<Node>& ends) 
         isOfAnEnd = true;
     }
     if (isOfAnEnd) best = grownFrom(search, std::move(best));
+    if (storageForDeadTimes(search, best)) best = grownFrom(search, std::move(best));
     if (best.steps.size() == node.steps.size()) return;
     confirm(search, best);
     if (best.steps.size() == node.steps.size() || search.progress.stopRequested()) return;

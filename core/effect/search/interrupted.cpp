@@ -37,9 +37,10 @@ bool areLong(const EstimationTask& task) {
     return count > most;
 }
 
-/// What the search had no time to hold against the rest must be clear by itself.
-bool isClear(const Node& node) {
-    return isNoise(node.null) || std::all_of(node.steps.begin(), node.steps.end(), [](const Step& s) {
+/// What the search had no time to hold against the rest must be clear by itself, or predict clearly better as a whole.
+bool isClear(const Whole& whole) {
+    const Node& node = whole.node;
+    return whole.predicts || isNoise(node.null) || std::all_of(node.steps.begin(), node.steps.end(), [](const Step& s) {
                return isMissed(s.acceptance) && isClearlyMissed(s.acceptance) && s.acceptance.heldOut > leastHeldOut;
            });
 }
@@ -81,8 +82,8 @@ Outcome<Finding> fittedSoFar(const NullModel& null, const SimulationOptions& sim
 void keepSoFar(const SearchContext& search, const std::vector<CandidateResult>& candidates) {
     const Frontier& frontier = search.frontier;
     if (!search.options.keep || !frontier.begun) return;
-    Finding finding = frontier.whole && isClear(frontier.whole->node) ? tellWhole(search, frontier.whole->node, nullptr)
-                                                                      : *frontier.begun;
+    Finding finding =
+        frontier.whole && isClear(*frontier.whole) ? tellWhole(search, frontier.whole->node, nullptr) : *frontier.begun;
     finding.candidates = candidates;
     settleVerdicts(finding, finding.candidates);
     search.options.keep(std::move(finding));
@@ -117,7 +118,7 @@ Outcome<Finding> foundSoFar(SearchContext& search, const NullModel& first) {
         if (!fitted) return fitted;
         frontier.begun = std::move(*fitted);
     }
-    const bool hasEffects = frontier.whole && isClear(frontier.whole->node);
+    const bool hasEffects = frontier.whole && isClear(*frontier.whole);
     std::optional<FlatModel> valued;
     if (hasEffects) {
         Node& whole = frontier.whole->node;

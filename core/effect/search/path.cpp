@@ -6,6 +6,7 @@
 #include "core/effect/judge/judgement.hpp"
 #include "core/effect/judge/reason.hpp"
 #include "core/effect/model/model_state.hpp"
+#include "core/effect/search/contenders.hpp"
 #include "core/effect/search/context.hpp"
 #include "core/effect/search/exchange.hpp"
 #include "core/effect/search/interrupted.hpp"
@@ -72,7 +73,8 @@ bool visit(SearchContext& search, Node& path) {
     frontier.bestError = std::min(frontier.bestError, error);
     if (!hasProposal(path.null) &&
         !(frontier.whole && errorPercentOf(*frontier.whole->node.state, Role::Fit) <= error)) {
-        frontier.whole = Whole{path, search.readings};
+        const bool predicts = frontier.origin && predictsClearlyBetter(search, path.null, *frontier.origin);
+        frontier.whole = Whole{path, search.readings, predicts};
         frontier.whole->node.state = std::move(*after);
         keepSoFar(search, path.candidates);
     }
@@ -114,6 +116,7 @@ void goOn(SearchContext& search, Node& path, Round first) {
     ++journal.path;
     journal.round = 0;
     journal.model("path", path.null, "begun");
+    if (path.null.variant.effects.empty()) search.frontier.origin = path.null;
     for (journal.round = 1; journal.round <= search.options.maxRounds && !search.progress.stopRequested();
          ++journal.round) {
         Round round = journal.round == 1 ? std::move(first) : tryAll(search, path.null);

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
+#include "core/effect/judge/judgement.hpp"
 #include "core/effect/model/model_state.hpp"
 #include "core/effect/search/path.hpp"
 #include "tests/core/effect/search/warm_search.hpp"
@@ -32,6 +35,33 @@ TEST(FoundSoFar, IsTheBestNodeByNames) {
     ASSERT_EQ(finding->effects.size(), 1u);
     EXPECT_EQ(finding->effects.front().kind, "sensor.lag");
     EXPECT_LT(errorPercentOf(finding->final, Role::Fit), errorPercentOf(finding->baseline, Role::Fit));
+}
+
+/// Beside what nobody recorded, the last tests of an effect have not been made yet.
+TEST(FoundSoFar, TellsWhatPredictsClearlyBetterAsAWhole) {
+    EstimationTask task = laggingBody(3);
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    Recording& r = task.recordings.edit().front();
+    double course = 0;
+    for (Eigen::Index k = 0; k < r.outputs.cols(); ++k) {
+        course = 0.98 * course + 0.03 * normal(random);
+        r.outputs(0, k) += course;
+    }
+    WarmSearch of(task);
+    reachTheLag(of);
+    Whole& whole = *of.search.frontier.whole;
+    ASSERT_FALSE(isNoise(whole.node.null));
+    EXPECT_TRUE(whole.predicts);
+    for (Step& s : whole.node.steps) s.acceptance.heldOut = 0;
+    Outcome<Finding> finding = foundSoFar(of.search, of.base);
+    ASSERT_TRUE(finding);
+    ASSERT_FALSE(finding->effects.empty());
+    EXPECT_EQ(finding->effects.front().confidence, Confidence::Indicated);
+    whole.predicts = false;
+    finding = foundSoFar(of.search, of.base);
+    ASSERT_TRUE(finding);
+    EXPECT_TRUE(finding->effects.empty());
 }
 
 TEST(FoundSoFar, IsToldWithTheRecordingsAsTheyWereReadThen) {

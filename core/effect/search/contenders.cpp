@@ -1,0 +1,169 @@
+#include "core/effect/search/contenders.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "core/effect/judge/judgement.hpp"
+#include "core/effect/judge/prediction.hpp"
+#include "core/effect/judge/reason.hpp"
+#include "core/effect/model/model_state.hpp"
+#include "core/effect/model/sampling.hpp"
+#include "core/effect/search/context.hpp"
+#include "core/effect/search/refine.hpp"
+#include "core/effect/search/trials.hpp"
+#include "core/effect/search/verdicts.hpp"
+#include "core/effect/search/without.hpp"
+#include "core/effect/thresholds.hpp"
+
+namespace analogon {
+
+using namespace threshold::prediction;
+using threshold::acceptance::leastShare;
+using threshold::judgement::asMuch;
+
+bool isLongDeadTime(const PlacedEffect& placed, const FitResult& fit, double interval) {
+    if (faultOf(placed.effect) != "delay") return false;
+    const FitEstimate* delay = fit.find(placed.freed.front().name);
+    return delay != nullptr && delay->value > mostSamplesOfDelay * interval;
+}
+
+void tell(const Journal& journal, const std::string& step, const std::string& key, const Prediction& p,
+          const std::string& verdict) {
+    journal.add(step, key,
+                {{"before", p.errorPercentBefore},
+                 {"after", p.errorPercentAfter},
+                 {"blocks", static_cast<double>(p.blocks)},
+                 {"better_in", static_cast<double>(p.betterIn)},
+                 {"clearly_in", static_cast<double>(p.clearlyIn)}},
+                verdict);
+}
+
+std::vector<Contender> contendersOf(const SearchContext& search, const NullModel& null,
+                                    const std::vector<Trial>& trials) {
+    const double interval = samplingInterval(null.variant.task);
+    std::vector<Contender> contenders;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        const Trial& t = trials[i];
+        if (!t.ok || isProposal(t) || t.variant.effects.back().freed.size() > mostFreed || isAtBound(t) ||
+            fightsAnother(null, t.fit) || !(t.evidence > equivalenceMargin))
+            continue;
+        const Prediction prediction = predict(null, t.fit);
+        const bool isLate = isLongDeadTime(t.variant.effects.back(), t.fit, interval);
+        const bool isClear = isClearlyBetter(prediction) && (!isLate || prediction.removed() > leastOfDeadTime);
+        tell(search.journal, "contender", keyOf(t.screened.candidate.effect, t.screened.candidate.place), prediction,
+             isClear ? "predicts" : "refused");
+        if (isClear) contenders.push_back({i, prediction});
+    }
+    // a form that may follow others is indicated only where none of them predicts better
+    const auto isFlexible = [&](const Contender& c) { return trials[c.trial].screened.candidate.effect.flexible; };
+    if (!std::all_of(contenders.begin(), contenders.end(), isFlexible)) std::erase_if(contenders, isFlexible);
+    return contenders;
+}
+
+namespace {
+
+/// Those that predict nearly as well as the best.
+std::vector<Contender> nearlyBest(std::vector<Contender> contenders) {
+    const auto removesLess = [](const Contender& a, const Contender& b) {
+        return a.prediction.removed() < b.prediction.removed();
+    };
+    const double most = std::max_element(contenders.begin(), contenders.end(), removesLess)->prediction.removed();
+    std::erase_if(contenders, [&](const Contender& c) { return c.prediction.removed() < nearlyAsWell * most; });
+    return contenders;
+}
+
+}  // namespace
+
+void chooseAmong(const SearchContext& search, const NullModel& null, const std::vector<Contender>& contenders,
+                 First first, Round& round) {
+    const double interval = samplingInterval(null.variant.task);
+    const std::vector<Contender> alike = nearlyBest(contenders);
+    const auto order = [&](const Contender& c) {
+        const Trial& t = round.trials[c.trial];
+        const bool isLate = isLongDeadTime(t.variant.effects.back(), t.fit, interval);
+        const double missed = -c.prediction.removed();
+        return std::tuple(isLate, first == First::Best ? missed : 0, t.freed(),
+                          plausibility(t.screened.candidate.effect), missed);
+    };
+    const Contender& chosen = *std::min_element(
+        alike.begin(), alike.end(), [&](const Contender& a, const Contender& b) { return order(a) < order(b); });
+    round.chosen = chosen.trial;
+    round.members.clear();
+    for (const Contender& c : alike) round.members.push_back(c.trial);
+    const Trial& trial = round.trials[chosen.trial];
+    round.acceptance = examine(search, null, trial, round.threshold);
+    round.behind = phrase("predicts less well what was left out than {}", nameOf(round.candidate(chosen.trial)));
+}
+
+void passOver(const Round& round, std::vector<Contender>& contenders) {
+    const auto failed = std::find_if(contenders.begin(), contenders.end(),
+                                     [&](const Contender& c) { return c.trial == *round.chosen; });
+    if (failed == contenders.end()) return;
+    const double left = failed->prediction.errorPercentAfter;
+    std::erase_if(contenders, [&](const Contender& c) {
+        const auto [less, more] = std::minmax({c.prediction.errorPercentAfter, left});
+        const bool isAlike =
+            less > asMuch * more && round.trials[c.trial].freed() == round.trials[*round.chosen].freed();
+        return c.trial == *round.chosen || isAlike;
+    });
+}
+
+namespace {
+
+/// A model beside the noise of another, which its residual is to be held against.
+Outcome<NullModel> besideNoiseOf(const SearchContext& search, const NullModel& model, const NullModel& other) {
+    return fitNull(model.variant, other.noise, NoiseLevel::Keep, search.fit, search.progress);
+}
+
+}  // namespace
+
+bool predictsClearlyBetter(const SearchContext& search, const NullModel& with, const NullModel& without) {
+    const Outcome<NullModel> before = besideNoiseOf(search, without, with);
+    return before && before->fit.optimum.residuals.size() == with.fit.optimum.residuals.size() &&
+           isClearlyBetter(predict(*before, with.fit));
+}
+
+std::optional<Node> withChoice(SearchContext& search, const Node& node, const Round& round) {
+    Node next = node;
+    Step step = stepOf(search, node.null, round);
+    step.prediction.emplace();
+    Outcome<NullModel> fitted =
+        fitNull(step.winner.variant, node.null.noise, NoiseLevel::Estimate, search.fit, search.progress);
+    if (!fitted || search.progress.stopRequested()) return std::nullopt;
+    next.null = std::move(*fitted);
+    next.steps.push_back(std::move(step));
+    sharpen(search, next);
+    seekFromTheStart(search, search.readings.searched, next.null);
+    const Outcome<NullModel> before = besideNoiseOf(search, node.null, next.null);
+    if (!before || search.progress.stopRequested()) return std::nullopt;
+    Prediction prediction = predict(*before, next.null.fit);
+    if (isClearlyBetter(prediction))
+        if (const auto exact = predictByRefits(*before, next.null, search.fit, search.progress)) prediction = *exact;
+    const bool isClear = isClearlyBetter(prediction) && !search.progress.stopRequested();
+    const Candidate& chosen = round.candidate(*round.chosen);
+    tell(search.journal, "predict", keyOf(chosen.effect, chosen.place), prediction, isClear ? "taken" : "set aside");
+    return isClear ? std::optional(std::move(next)) : std::nullopt;
+}
+
+namespace {
+
+bool hasLongDeadTime(const NullModel& null) {
+    const double interval = samplingInterval(null.variant.task);
+    return std::any_of(null.variant.effects.begin(), null.variant.effects.end(),
+                       [&](const PlacedEffect& e) { return isLongDeadTime(e, null.fit, interval); });
+}
+
+}  // namespace
+
+bool predictsBetter(const SearchContext& search, const Node& node, const Node& than) {
+    const Outcome<NullModel> other = besideNoiseOf(search, than.null, node.null);
+    if (!other) return true;
+    const Prediction p = predict(*other, node.null.fit);
+    const bool isLate = hasLongDeadTime(node.null), isOtherLate = hasLongDeadTime(than.null);
+    if (isLate != isOtherLate)
+        return p.removed() > (isLate ? leastOfDeadTime : -leastOfDeadTime / (1 - leastOfDeadTime));
+    const bool isSimpler = node.null.parameterCount() < than.null.parameterCount();
+    return p.removed() > (isSimpler ? -leastShare : leastShare);
+}
+
+}  // namespace analogon

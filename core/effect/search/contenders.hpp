@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/effect/judge/node.hpp"
+#include "core/effect/search/round.hpp"
+
+/// Trials that compete by what they predict, and nodes compared by it.
+namespace analogon {
+
+class Journal;
+class SearchContext;
+
+/// Whether an effect is a dead time of more than a few samples (`interval` [s] apart). Heat and flows come late by
+/// storage as a rule, and what is stored smooths them, too.
+bool isLongDeadTime(const PlacedEffect& placed, const FitResult& fit, double interval);
+
+/// A line of the journal on how much better a model predicts with an effect (`key`).
+void tell(const Journal& journal, const std::string& step, const std::string& key, const Prediction& prediction,
+          const std::string& verdict);
+
+/// A trial that makes the model predict clearly better.
+struct Contender {
+    std::size_t trial{};  // of those of the round
+    Prediction prediction;
+};
+
+/// Those of the trials beside a model that do so. A long dead time must do so by a good part of what is left.
+std::vector<Contender> contendersOf(const SearchContext& search, const NullModel& null,
+                                    const std::vector<Trial>& trials);
+
+/// The simplest of those that predict nearly as well as the best stands for all of them: the round's choice, with the
+/// others as the members of its class. Where one has failed, what seems to predict best goes before the simplest.
+enum class First { Simplest, Best };
+void chooseAmong(const SearchContext& search, const NullModel& null, const std::vector<Contender>& contenders,
+                 First first, Round& round);
+
+/// Takes the round's choice, which has failed, out of the contenders, with those that follow the same course.
+void passOver(const Round& round, std::vector<Contender>& contenders);
+
+/// A node with what a round has chosen, refitted; nothing where the whole does not predict clearly better than it did
+/// before: a trial that has not come to its end may seem to.
+std::optional<Node> withChoice(SearchContext& search, const Node& node, const Round& round);
+
+/// Whether a model predicts clearly better than another on the same recordings, beside the same noise.
+bool predictsClearlyBetter(const SearchContext& search, const NullModel& with, const NullModel& without);
+
+/// Whether a node is the better account of another's recordings: by what it predicts, beside fewer parameters and
+/// without a long dead time also where it predicts nearly as well.
+bool predictsBetter(const SearchContext& search, const Node& node, const Node& than);
+
+}  // namespace analogon
