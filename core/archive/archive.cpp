@@ -384,7 +384,7 @@ Outcome<Done> unpackArchive(const fs::path& archive, const fs::path& directory, 
     if (Outcome<Done> isNew = checkNewPlace(target); !isNew) return isNew;
     fs::path place = target.parent_path();
     while (!fs::exists(place, code) && place != place.parent_path()) place = place.parent_path();
-    const Outcome<OwnedDirectory> own = OwnedDirectory::make(place, ".analogon-writing-");
+    const Outcome<OwnedDirectory> own = OwnedDirectory::make(place, writingPrefix);
     if (!own) return cannotWrite(target, own.diagnostics().front().message);
     const fs::path beside = own->path() / "new";
     code.clear();

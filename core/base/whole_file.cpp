@@ -21,7 +21,7 @@ Outcome<Done> writeWhole(const fs::path& file, const std::function<Outcome<Done>
     if (fs::is_directory(status)) return cannotWrite(file, phrase("a directory has this name"));
     if (fs::exists(status) && !fs::is_regular_file(status))
         return cannotWrite(file, phrase("this is a pipe or a device, not a file"));
-    const Outcome<OwnedDirectory> own = OwnedDirectory::make(target.parent_path(), ".analogon-writing-");
+    const Outcome<OwnedDirectory> own = OwnedDirectory::make(target.parent_path(), writingPrefix);
     if (!own) return cannotWrite(file, own.diagnostics().front().message);
     const fs::path beside = own->path() / "new";
     if (Outcome<Done> written = write(beside); !written) return written;

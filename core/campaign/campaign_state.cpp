@@ -5,6 +5,7 @@
 
 #include "core/base/file_fault.hpp"
 #include "core/base/file_step.hpp"
+#include "core/base/owned_directory.hpp"
 #include "core/base/whole_file.hpp"
 
 namespace analogon {
@@ -48,6 +49,7 @@ Outcome<DirectoryLock> lockOf(const fs::path& out) {
     if (lock.isBusy())
         return fileError(phrase("another run works on this campaign"), out.string(), 0, 0,
                          phrase("Wait until it has ended, or give another directory."));
+    removeAbandoned(out, writingPrefix);  // of a run that was killed before it had written its state
     if (!fs::is_empty(out, code) && !isState(out / "campaign.json"))
         return fileError(phrase("this directory holds something else than a campaign's results"), out.string(), 0, 0,
                          hint);

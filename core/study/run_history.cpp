@@ -15,6 +15,7 @@
 #include "core/base/file_step.hpp"
 #include "core/base/owned_directory.hpp"
 #include "core/base/regular_file.hpp"
+#include "core/base/whole_file.hpp"
 #include "core/study/pending_save.hpp"
 #include "core/study/run_json.hpp"
 
@@ -229,7 +230,7 @@ Outcome<Done> replaceHistory(const std::vector<PastRun>& runs, const fs::path& s
         return cannotWrite(place, phrase("a link on its way leads to another directory"));
     const DirectoryLock lock(studyDirectory, DirectoryLock::Kind::Exclusive, longestSave);
     if (lock.isBusy()) return isBeingSaved(studyDirectory);
-    const Outcome<OwnedDirectory> own = OwnedDirectory::make(studyDirectory, ".analogon-writing-");
+    const Outcome<OwnedDirectory> own = OwnedDirectory::make(studyDirectory, writingPrefix);
     if (!own) return cannotWrite(place, own.diagnostics().front().message);
     const fs::path fresh = own->path() / historyFolder;
     if (Outcome<Done> done = writeHistory(runs, fresh); !done) return done;

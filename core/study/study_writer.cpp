@@ -9,6 +9,7 @@
 #include "core/base/file_fault.hpp"
 #include "core/base/file_step.hpp"
 #include "core/base/owned_directory.hpp"
+#include "core/base/whole_file.hpp"
 #include "core/library/package_files.hpp"
 #include "core/measure/encoding.hpp"
 #include "core/study/pending_save.hpp"
@@ -61,8 +62,7 @@ private:
             fs::create_directories(target_.parent_path(), code);
             if (code) return cannotWrite(target_, code);
         }
-        Outcome<OwnedDirectory> own =
-            OwnedDirectory::make(isThere_ ? target_ : target_.parent_path(), ".analogon-writing-");
+        Outcome<OwnedDirectory> own = OwnedDirectory::make(isThere_ ? target_ : target_.parent_path(), writingPrefix);
         if (!own) return cannotWrite(target_, own.diagnostics().front().message);
         own_ = std::move(*own);
         temporary_ = own_->path() / "new";

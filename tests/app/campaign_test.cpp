@@ -3,9 +3,12 @@
 
 #include <chrono>
 #include <cstdio>
+#include <fstream>
 #include <random>
 #include <thread>
 
+#include "core/base/owned_directory.hpp"
+#include "core/base/whole_file.hpp"
 #include "tests/app/campaign_command_line.hpp"
 
 namespace analogon::cli {
@@ -113,6 +116,20 @@ TEST_F(CampaignCommandLine, LosesNothingAndDoesNothingTwiceWhenItIsKilled) {
     EXPECT_EQ(read("out/results.csv"), read("whole/results.csv"));
     for (const auto& entry : fs::recursive_directory_iterator(at("out")))
         EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr(".analogon-results-")));
+}
+
+TEST_F(CampaignCommandLine, GoesOnWhereItWasKilledBeforeItsStateWasWritten) {
+    units(4);
+    fs::create_directories(at("out"));
+    Outcome<OwnedDirectory> left = OwnedDirectory::make(at("out"), writingPrefix);
+    ASSERT_TRUE(left);
+    EXPECT_NE(run("out"), 0) << "somebody writes there";
+    left->release();
+    ASSERT_EQ(run("out"), 0) << said_;
+    std::ofstream(at("out") / "foreign.txt") << "mine";
+    fs::remove(at("out") / "campaign.json");
+    EXPECT_NE(run("out"), 0);
+    EXPECT_EQ(read("out/foreign.txt"), "mine");
 }
 
 /// The processes that a process has started, from /proc.
