@@ -29,12 +29,14 @@ bool holdsConnection(const syntax::Equation& equation) {
 }  // namespace
 
 void Equations::translateAll() {
+    const std::size_t before = work_.messages.diagnostics().size();
     for (const Pass pass : {Pass::Connections, Pass::Others}) {
         pass_ = pass;
         for (std::size_t c = 0; c < work_.components.size() && !work_.messages.full(); ++c)
             translateSections(*work_.components[c]);
         work_.connections->allAreRead();
     }
+    work_.messages.sortFrom(before);
 }
 
 void Equations::translateSections(Instance& instance) {

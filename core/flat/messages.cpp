@@ -2,7 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
+#include <tuple>
+
 namespace analogon {
+
+void Messages::sortFrom(std::size_t first) {
+    std::map<std::string, std::size_t> files;  // in the order in which they came
+    for (std::size_t i = first; i < diagnostics_.size(); ++i) files.emplace(diagnostics_[i].place.file, files.size());
+    const auto at = [&](const Diagnostic& d) {
+        return std::tuple(files.at(d.place.file), d.place.line, d.place.column);
+    };
+    std::stable_sort(diagnostics_.begin() + static_cast<std::ptrdiff_t>(first), diagnostics_.end(),
+                     [&](const Diagnostic& a, const Diagnostic& b) { return at(a) < at(b); });
+}
 
 bool Messages::isNew(const std::string& message, const Span& span) {
     return !full() && seen_.emplace(message, span.source, span.begin).second;

@@ -37,6 +37,8 @@ public:
     /// Nothing more will be taken: the work may stop.
     bool full() const { return isStopped_ || diagnostics_.size() >= most; }
     const Diagnostics& diagnostics() const { return diagnostics_; }
+    /// Brings those from a number on into the order of the text, file by file as they came: a text was read in passes.
+    void sortFrom(std::size_t first);
 
 private:
     bool isNew(const std::string& message, const Span& span);
