@@ -175,10 +175,6 @@ Text lookOf(const Miss& miss, double noise, const std::string& unit) {
         miss.offset(), shown, offset, shown, miss.gain(), gain, shown);
 }
 
-}  // namespace
-
-namespace {
-
 /// Calls f(experiment, output, miss, noise) for each output of a validation recording that the model misses.
 template <class F>
 void eachMissed(const ModelState& state, const F& f) {

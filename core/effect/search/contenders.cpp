@@ -115,14 +115,8 @@ Outcome<NullModel> besideNoiseOf(const SearchContext& search, const NullModel& m
     return fitNull(model.variant, other.noise, NoiseLevel::Keep, search.fit, search.progress);
 }
 
-}  // namespace
-
-bool predictsClearlyBetter(const SearchContext& search, const NullModel& with, const NullModel& without) {
-    const Outcome<NullModel> before = besideNoiseOf(search, without, with);
-    return before && before->fit.optimum.residuals.size() == with.fit.optimum.residuals.size() &&
-           isClearlyBetter(predict(*before, with.fit));
-}
-
+/// A node with what a round has chosen, refitted; nothing where the whole does not predict clearly better than it did
+/// before: a trial that has not come to its end may seem to.
 std::optional<Node> withChoice(SearchContext& search, const Node& node, const Round& round) {
     Node next = node;
     Step step = stepOf(search, node.null, round);
@@ -143,6 +137,27 @@ std::optional<Node> withChoice(SearchContext& search, const Node& node, const Ro
     const Candidate& chosen = round.candidate(*round.chosen);
     tell(search.journal, "predict", keyOf(chosen.effect, chosen.place), prediction, isClear ? "taken" : "set aside");
     return isClear ? std::optional(std::move(next)) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Node> firstThatHolds(SearchContext& search, const Node& node, std::vector<Contender> contenders,
+                                   Round& round, const std::function<bool(const Node&)>& accepts) {
+    for (std::size_t tries = 0; tries < mostTries && !contenders.empty() && !search.progress.stopRequested(); ++tries) {
+        chooseAmong(search, node.null, contenders, tries == 0 ? First::Simplest : First::Best, round);
+        if (std::optional<Node> next = withChoice(search, node, round); next && accepts(*next)) {
+            noteAll(search, *next, round);
+            return next;
+        }
+        passOver(round, contenders);
+    }
+    return std::nullopt;
+}
+
+bool predictsClearlyBetter(const SearchContext& search, const NullModel& with, const NullModel& without) {
+    const Outcome<NullModel> before = besideNoiseOf(search, without, with);
+    return before && before->fit.optimum.residuals.size() == with.fit.optimum.residuals.size() &&
+           isClearlyBetter(predict(*before, with.fit));
 }
 
 namespace {

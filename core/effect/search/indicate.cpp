@@ -19,7 +19,6 @@
 namespace analogon {
 
 using threshold::prediction::mostFreed;
-using threshold::prediction::mostTries;
 
 namespace {
 
@@ -93,17 +92,11 @@ void confirm(SearchContext& search, Node& node) {
 bool addOne(SearchContext& search, Node& node) {
     Round round = tryAll(search, node.null);
     if (search.progress.stopRequested()) return false;
-    std::vector<Contender> contenders = contendersOf(search, node.null, round.trials);
-    for (std::size_t tries = 0; tries < mostTries && !contenders.empty() && !search.progress.stopRequested(); ++tries) {
-        chooseAmong(search, node.null, contenders, tries == 0 ? First::Simplest : First::Best, round);
-        if (std::optional<Node> next = withChoice(search, node, round)) {
-            noteAll(search, *next, round);
-            node = std::move(*next);
-            return true;
-        }
-        passOver(round, contenders);
-    }
-    return false;
+    std::optional<Node> next = firstThatHolds(search, node, contendersOf(search, node.null, round.trials), round,
+                                              [](const Node&) { return true; });
+    if (!next) return false;
+    node = std::move(*next);
+    return true;
 }
 
 /// From a node on, one by one.

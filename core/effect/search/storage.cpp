@@ -8,11 +8,8 @@
 #include "core/effect/search/context.hpp"
 #include "core/effect/search/verdicts.hpp"
 #include "core/effect/search/without.hpp"
-#include "core/effect/thresholds.hpp"
 
 namespace analogon {
-
-using threshold::prediction::mostTries;
 
 namespace {
 
@@ -27,21 +24,16 @@ std::optional<Node> withoutDeadTime(SearchContext& search, const Node& node, std
     Round round = tryAll(search, base.null);
     std::vector<Contender> contenders = contendersOf(search, base.null, round.trials);
     std::erase_if(contenders, [&](const Contender& c) { return faultOf(round.candidate(c.trial).effect) == "delay"; });
-    for (std::size_t tries = 0; tries < mostTries && !contenders.empty() && !search.progress.stopRequested(); ++tries) {
-        chooseAmong(search, base.null, contenders, tries == 0 ? First::Simplest : First::Best, round);
-        std::optional<Node> next = withChoice(search, base, round);
-        const bool isBetter = next && predictsBetter(search, *next, node);
-        if (next) search.journal.model("storage", next->null, isBetter ? "taken" : "set aside");
-        if (isBetter) {
-            noteAll(search, *next, round);
-            setVerdict(search, *next, node.null.variant.effects[effect], Verdict::Weaker,
-                       phrase("with {} in its place the model predicts nearly as well: what is stored comes late, too",
-                              nameOf(round.candidate(*round.chosen))));
-            return next;
-        }
-        passOver(round, contenders);
-    }
-    return std::nullopt;
+    std::optional<Node> next = firstThatHolds(search, base, std::move(contenders), round, [&](const Node& found) {
+        const bool isBetter = predictsBetter(search, found, node);
+        search.journal.model("storage", found.null, isBetter ? "taken" : "set aside");
+        return isBetter;
+    });
+    if (next)
+        setVerdict(search, *next, node.null.variant.effects[effect], Verdict::Weaker,
+                   phrase("with {} in its place the model predicts nearly as well: what is stored comes late, too",
+                          nameOf(round.candidate(*round.chosen))));
+    return next;
 }
 
 }  // namespace

@@ -29,20 +29,6 @@ struct OtherValue {
     double removed() const { return 1 - left; }
 };
 
-/// What is fitted, of the model as given and of its effects; no start values.
-std::vector<FitParameter> fittedOf(const Variant& variant) {
-    std::vector<FitParameter> all;
-    const auto add = [&](const FitParameter& p) {
-        const bool isKnown =
-            std::any_of(all.begin(), all.end(), [&](const FitParameter& q) { return q.name == p.name; });
-        if (p.experiment < 0 && !isKnown) all.push_back(p);
-    };
-    for (const FitParameter& p : variant.task.parameters) add(p);
-    for (const PlacedEffect& e : variant.effects)
-        for (const FitParameter& p : e.freed) add(p);
-    return all;
-}
-
 /// The variant with one recording alone, to be fitted.
 Variant aloneOf(const Variant& variant, const Recording& recording) {
     Variant alone = variant;
@@ -92,15 +78,15 @@ Text tellOther(const std::string& recording, const std::vector<OtherValue>& best
 std::vector<Text> otherValues(const Variant& variant, const ModelState& state, const FitOptions& options,
                               const Progress& progress) {
     std::vector<Text> said;
-    const std::vector<FitParameter> parameters = fittedOf(variant);
     for (const std::string& name : missedRecordings(state)) {
         const auto recording = std::find_if(variant.task.recordings.begin(), variant.task.recordings.end(),
                                             [&](const Recording& r) { return r.name == name; });
         if (recording == variant.task.recordings.end() || said.size() == mostRecordings) continue;
         const Variant alone = aloneOf(variant, *recording);
         std::vector<OtherValue> found;
-        for (const FitParameter& p : parameters) {
+        for (const FitParameter& p : variant.task.parameters) {
             if (progress.stopRequested()) return said;
+            if (p.experiment >= 0) continue;  // a start value
             if (const std::optional<OtherValue> other = fittedAlone(alone, p, options, progress);
                 other && other->left < goodPart)
                 found.push_back(*other);

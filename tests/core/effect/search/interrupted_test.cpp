@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "core/effect/judge/judgement.hpp"
 #include "core/effect/model/model_state.hpp"
 #include "core/effect/search/path.hpp"
@@ -40,14 +38,7 @@ TEST(FoundSoFar, IsTheBestNodeByNames) {
 /// Beside what nobody recorded, the last tests of an effect have not been made yet.
 TEST(FoundSoFar, TellsWhatPredictsClearlyBetterAsAWhole) {
     EstimationTask task = laggingBody(3);
-    std::mt19937 random(3);
-    std::normal_distribution<double> normal;
-    Recording& r = task.recordings.edit().front();
-    double course = 0;
-    for (Eigen::Index k = 0; k < r.outputs.cols(); ++k) {
-        course = 0.98 * course + 0.03 * normal(random);
-        r.outputs(0, k) += course;
-    }
+    addDraught(task, 0.03);
     WarmSearch of(task);
     reachTheLag(of);
     Whole& whole = *of.search.frontier.whole;

@@ -2,40 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include "core/effect/search/verdicts.hpp"
 #include "tests/core/effect/search/warm_search.hpp"
 
 namespace analogon {
 namespace {
 
-/// A draught that nobody recorded, on the output.
-void addDraught(EstimationTask& task, double size) {
-    std::mt19937 random(3);
-    std::normal_distribution<double> normal;
-    Recording& r = task.recordings.edit().front();
-    double course = 0;
-    for (Eigen::Index k = 0; k < r.outputs.cols(); ++k) {
-        course = 0.98 * course + size * normal(random);
-        r.outputs(0, k) += course;
-    }
-}
-
 /// The model with a dead time at its sensor that is only indicated.
 Node withDeadTime(WarmSearch& of) {
-    Node node{of.base, {}};
-    Round round = tryAll(of.search, of.base);
-    for (std::size_t i = 0; i < round.trials.size() && !round.chosen; ++i)
-        if (round.candidate(i).effect.kind == "sensor.delay" && round.trials[i].ok) round.chosen = i;
-    if (!round.chosen) {
-        ADD_FAILURE() << "no dead time was tried";
-        return node;
-    }
-    node.steps.push_back(stepOf(of.search, of.base, round));
-    node.steps.back().prediction.emplace();
-    Outcome<NullModel> fitted =
-        fitNull(node.steps.back().winner.variant, of.base.noise, NoiseLevel::Keep, of.search.fit, of.search.progress);
-    EXPECT_TRUE(fitted) << format(fitted.diagnostics());
-    if (fitted) node.null = std::move(*fitted);
+    Node node = nodeWith(of, "sensor.delay");
+    if (!node.steps.empty()) node.steps.back().prediction.emplace();
     return node;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/effect/search/context.hpp"
 #include "core/effect/search/round.hpp"
+#include "core/effect/search/verdicts.hpp"
 #include "tests/core/effect/lagging_body.hpp"
 
 namespace analogon {
@@ -37,5 +38,23 @@ public:
     SearchContext search;
     NullModel base;
 };
+
+/// The model with an effect of this kind, refitted.
+inline Node nodeWith(WarmSearch& of, const std::string& kind) {
+    Node node{of.base, {}};
+    Round round = tryAll(of.search, of.base);
+    for (std::size_t i = 0; i < round.trials.size() && !round.chosen; ++i)
+        if (round.candidate(i).effect.kind == kind && round.trials[i].ok) round.chosen = i;
+    if (!round.chosen) {
+        ADD_FAILURE() << "no " << kind << " was tried";
+        return node;
+    }
+    node.steps.push_back(stepOf(of.search, of.base, round));
+    Outcome<NullModel> next =
+        fitNull(node.steps.back().winner.variant, of.base.noise, NoiseLevel::Keep, of.search.fit, of.search.progress);
+    EXPECT_TRUE(next) << format(next.diagnostics());
+    if (next) node.null = std::move(*next);
+    return node;
+}
 
 }  // namespace analogon
