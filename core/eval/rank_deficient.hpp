@@ -14,8 +14,8 @@ struct RankDeficientSolution {
     std::vector<char> isUndecided;  // by unknown: other solutions have another value of it
 };
 
-/// For a square A, row-major (elimination with full pivoting, Golub & Van Loan, section 3.4; the smallest solution from
-/// the normal equations of what is left free). Nothing where A has full rank, or where its rows contradict each other.
+/// For a square A, row-major (elimination with full pivoting, Golub & Van Loan, section 3.4; the smallest solution is
+/// any solution less its part in the kernel). Nothing where A has full rank, or where its rows contradict each other.
 /// `shift` is added to each unknown that is left free: another of the solutions.
 std::optional<RankDeficientSolution> solveRankDeficient(std::span<const double> matrix, std::span<const double> right,
                                                         double shift = 0);
