@@ -4451,14 +4451,6 @@ gehalten: Jeder Wert gilt bis zum nächsten Abtastwert</translation>
         <translation>Doppelklick oder Eingabe zeigt die Werte</translation>
     </message>
     <message>
-        <source>Take %1 in</source>
-        <translation>%1 einbeziehen</translation>
-    </message>
-    <message>
-        <source>Leave %1 out</source>
-        <translation>%1 auslassen</translation>
-    </message>
-    <message>
         <source>Locate the file …</source>
         <translation>Datei suchen …</translation>
     </message>

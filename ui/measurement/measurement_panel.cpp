@@ -21,6 +21,7 @@
 #include "ui/measurement/locate.hpp"
 #include "ui/measurement/mapping.hpp"
 #include "ui/measurement/mapping_text.hpp"
+#include "ui/measurement/recording_edits.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
@@ -285,17 +286,9 @@ void MeasurementPanel::setRole(const QTreeWidgetItem* item, bool isFit) {
 void MeasurementPanel::setUsed(const QTreeWidgetItem* item, bool isUsed) {
     const StudyExperiment* experiment = experimentOf(item);
     if (!experiment || experiment->isUsed == isUsed) return;
-    const QString name = QString::fromStdString(experiment->name);
-    const QString what = isUsed ? tr("Take %1 in") : tr("Leave %1 out");
     // The row that was clicked is built anew: not before its own signal is done.
     QMetaObject::invokeMethod(
-        this,
-        [this, name, what, isUsed] {
-            for (int i = 0; i < tree_->topLevelItemCount(); ++i)
-                if (const QTreeWidgetItem* top = tree_->topLevelItem(i);
-                    top->data(0, experimentRole).toString() == name)
-                    return change(top, what.arg(name), [&](StudyExperiment& e) { e.isUsed = isUsed; });
-        },
+        this, [this, name = experiment->name, isUsed] { useRecordings(document_, {name}, isUsed); },
         Qt::QueuedConnection);
 }
 

@@ -10,6 +10,7 @@
 #include "ui/document/document.hpp"
 #include "ui/measurement/locate.hpp"
 #include "ui/measurement/mapping.hpp"
+#include "ui/measurement/recording_edits.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
@@ -319,22 +320,8 @@ std::optional<double> RecordingsModel::readWeight(const QString& typed) {
     return weight && isWeight(*weight) ? weight : std::nullopt;
 }
 
-void RecordingsModel::change(const std::set<std::string>& recordings, const QString& what,
-                             const std::function<void(StudyExperiment&)>& edit) {
-    StudySettings settings = document_.settings();
-    for (StudyExperiment& e : settings.experiments)
-        if (recordings.contains(e.name)) edit(e);
-    const QString name = recordings.size() == 1 ? QString::fromStdString(*recordings.begin())
-                                                : tr("%1 recordings").arg(recordings.size());
-    document_.applySettings(std::move(settings), what.arg(name));
-}
-
 void RecordingsModel::setUsed(const std::set<std::string>& recordings, bool isUsed) {
-    std::set<std::string> others;
-    for (const Row& row : rows_)
-        if (recordings.contains(row.name) && row.isUsed != isUsed) others.insert(row.name);
-    if (others.empty()) return;
-    change(others, isUsed ? tr("Take %1 in") : tr("Leave %1 out"), [&](StudyExperiment& e) { e.isUsed = isUsed; });
+    useRecordings(document_, recordings, isUsed);
 }
 
 void RecordingsModel::setRole(const std::set<std::string>& recordings, analogon::Role role) {
@@ -343,7 +330,8 @@ void RecordingsModel::setRole(const std::set<std::string>& recordings, analogon:
     for (const Row& row : rows_)
         if (recordings.contains(row.name) && row.isFit != isFit) others.insert(row.name);
     if (others.empty()) return;
-    change(others, isFit ? tr("Use %1 to fit") : tr("Use %1 to validate"), [&](StudyExperiment& e) { e.role = role; });
+    changeRecordings(document_, others, isFit ? tr("Use %1 to fit") : tr("Use %1 to validate"),
+                     [&](StudyExperiment& e) { e.role = role; });
 }
 
 void RecordingsModel::setWeight(const std::set<std::string>& recordings, double weight) {
@@ -352,7 +340,7 @@ void RecordingsModel::setWeight(const std::set<std::string>& recordings, double 
         if (recordings.contains(row.name) && row.weights && *row.weights != std::pair(weight, weight))
             others.insert(row.name);
     if (others.empty()) return;
-    change(others, tr("Weigh %1"), [&](StudyExperiment& e) {
+    changeRecordings(document_, others, tr("Weigh %1"), [&](StudyExperiment& e) {
         for (auto& [output, mapping] : e.outputs) mapping.weight = weight;
     });
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QAbstractTableModel>
-#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -77,8 +76,6 @@ private:
     QVariant sortKey(const Row& row, int column) const;
     QVariant tooltip(const Row& row, int column) const;
     const Error* errorOf(const Row& row, int column) const;
-    void change(const std::set<std::string>& recordings, const QString& what,
-                const std::function<void(StudyExperiment&)>& edit);
 
     Document& document_;
     JobRunner measurer_;
