@@ -78,10 +78,12 @@ Text tellOther(const std::string& recording, const std::vector<OtherValue>& best
 std::vector<Text> otherValues(const Variant& variant, const ModelState& state, const FitOptions& options,
                               const Progress& progress) {
     std::vector<Text> said;
+    std::size_t looked = 0;
     for (const std::string& name : missedRecordings(state)) {
         const auto recording = std::find_if(variant.task.recordings.begin(), variant.task.recordings.end(),
                                             [&](const Recording& r) { return r.name == name; });
-        if (recording == variant.task.recordings.end() || said.size() == mostRecordings) continue;
+        if (recording == variant.task.recordings.end()) continue;
+        if (looked++ == mostRecordings) break;
         const Variant alone = aloneOf(variant, *recording);
         std::vector<OtherValue> found;
         for (const FitParameter& p : variant.task.parameters) {
