@@ -73,6 +73,10 @@ std::string indicatedWords(const std::vector<AddedEffect>& effects) {
                        count == 1 ? "it" : "them");
 }
 
+const char* howEnded(const Finding& finding) {
+    return finding.isAtLimitOfWork ? "ended at its limit of work" : "was interrupted";
+}
+
 }  // namespace
 
 bool hasChanged(const Finding& finding) { return !finding.effects.empty() && !finding.final.experiments.empty(); }
@@ -120,7 +124,8 @@ std::string summaryWords(const Finding& finding, const std::string& command) {
         return "The fit was interrupted: these are the best parameters so far. " + plainErrorWords(state);
     if (command == "fit") return "The parameters of the model were fitted. " + plainErrorWords(state);
     if (finding.interrupted && !hasChanged(finding))
-        return "The search was interrupted before an effect was accepted. " + plainErrorWords(state);
+        return fmt::format("The search {} before an effect was accepted. {}", howEnded(finding),
+                           plainErrorWords(state));
 
     if (!finding.notSearched.empty() && finding.remainders.empty())
         return "No effect was looked for: " + finding.notSearched.english() + ". " + plainErrorWords(state);
@@ -159,7 +164,7 @@ std::string summaryWords(const Finding& finding, const std::string& command) {
     if (!values.empty())
         text += fmt::format(" Another value of what the study holds would explain as much as {}: {}.",
                             finding.effects.size() == 1 ? "the effect" : "one of the effects", fmt::join(values, "; "));
-    if (finding.interrupted) text += " The search was interrupted; this is the best so far.";
+    if (finding.interrupted) text += fmt::format(" The search {}; this is the best so far.", howEnded(finding));
     return text;
 }
 

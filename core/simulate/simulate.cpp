@@ -192,7 +192,10 @@ Trajectory simulateGrid(const SimulationTask& task, const GridPlan& plan, const 
     if (plan.steps && plan.steps->size() + 1 != task.inputs->time.size()) run.plan.steps = nullptr;
     run.keepStates = task.keepStates;
     run.sink = sink;
-    countWork(run.plan.work() * static_cast<double>(task.inputs->time.size() * (1 + task.directions.cols())));
+    // a row of the matrix exponential in place of four evaluations of the model: 6 ns in place of 30 (measured)
+    constexpr double exactCost = 0.2;
+    const double cost = run.plan.method == GridMethod::Exact ? exactCost : run.plan.work();
+    countWork(cost * static_cast<double>(task.inputs->time.size() * (1 + task.directions.cols())));
     return explained(runGrid(dynamics, *task.inputs, run, options, progress), dynamics);
 }
 

@@ -158,7 +158,8 @@ bool leavesTracesOut(const Finding& finding, Traces traces) {
     constexpr std::size_t most = 100'000;  // samples of outputs
     std::size_t count = 0;
     for (const ExperimentState& e : finding.baseline.experiments) count += e.time.size() * e.outputs.size();
-    return (finding.interrupted || traces == Traces::Short) && count > most;
+    const bool isStopped = finding.interrupted && !finding.isAtLimitOfWork;  // from outside: whoever did wants an end
+    return (isStopped || traces == Traces::Short) && count > most;
 }
 
 std::string proposedBlocks(const Finding& finding) {

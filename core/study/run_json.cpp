@@ -317,6 +317,7 @@ void members(Of& of, Finding& f) {
     of.member("warnings", f.warnings);
     of.member("not_searched", f.notSearched);
     of.member("interrupted", f.interrupted);
+    of.member("at_limit_of_work", f.isAtLimitOfWork);
     of.member("seconds", f.seconds);
 }
 

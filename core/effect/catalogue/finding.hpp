@@ -187,7 +187,8 @@ struct Finding {
     std::vector<Text> warnings;
     std::vector<std::string> heldInputs{};  // that the study joins by straight lines; all is told with them held
     Text notSearched{};                     // why no effect was looked for; empty: they were
-    bool interrupted{};
+    bool interrupted{};                     // or ended at its limit of work
+    bool isAtLimitOfWork{};
     double seconds{};
 };
 

@@ -23,8 +23,10 @@ double meanOf(const At& at, long begin, long end) {
 void thin(Recording& recording, int factor) {
     const Recording from = recording;
     const auto count = static_cast<long>(from.time.size());
+    // the middle of the first block lies as far behind the first sample as the others lie apart: a linear model may
+    // take exact steps, which must all be as long
     std::vector<std::pair<long, long>> blocks{{0, 1}};
-    for (long k = 1; k + factor <= count; k += factor) blocks.emplace_back(k, k + factor);
+    for (long k = (factor + 1) / 2; k + factor <= count; k += factor) blocks.emplace_back(k, k + factor);
     const auto samples = static_cast<Eigen::Index>(blocks.size());
     recording.time.resize(blocks.size());
     recording.inputs.resize(from.inputs.rows(), samples);
@@ -63,7 +65,8 @@ int thinningFor(const EstimationTask& task, long mostSamples) {
     long samples = 0;
     for (const Recording& r : task.recordings)
         if (r.role == Role::Fit) samples += static_cast<long>(r.time.size());
-    return static_cast<int>((samples + mostSamples - 1) / mostSamples);
+    const auto factor = static_cast<int>((samples + mostSamples - 1) / mostSamples);
+    return factor < 2 ? factor : factor | 1;
 }
 
 }  // namespace analogon

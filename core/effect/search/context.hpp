@@ -67,11 +67,16 @@ struct Frontier {
     std::optional<NullModel> origin{};     // of the path: without effects
     std::optional<Node> opening{};         // where the first choice of all led
     std::optional<Whole> whole{};          // the best so far, of named effects: what an interrupted search reports
+    std::optional<Whole> unweighed{};      // better by what a round chose and has not weighed against the rest
     std::vector<CandidateResult> noted{};  // of the path that was walked on last
     std::optional<Finding> begun{};        // the model as given: from there on there is something to report
     bool isIndicating{};                   // the last pass: also what only stands in for another name is tried
     bool beginsAnew{};                     // what was allowed for in a later round
     double bestError{-1};                  // [%] of the fitted data
+
+    /// What a search that is stopped now reports: named effects that are clear by themselves, or that predict clearly
+    /// better; null: the model as given.
+    Whole* toTell();
 };
 
 class SearchContext {

@@ -61,6 +61,11 @@ Finding tellWhole(const SearchContext& search, const Node& node, const FlatModel
 
 }  // namespace
 
+Whole* Frontier::toTell() {
+    if (unweighed && isClear(*unweighed)) return &*unweighed;
+    return whole && isClear(*whole) ? &*whole : nullptr;
+}
+
 Outcome<ModelState> stateSoFar(const NullModel& null, const SimulationOptions& simulation) {
     std::optional<Outcome<ModelState>> state;
     if (!areLong(null.variant.task)) soon([&] { state = stateOf(null.variant, null.fit, simulation, {}); });
@@ -79,11 +84,10 @@ Outcome<Finding> fittedSoFar(const NullModel& null, const SimulationOptions& sim
     return finding;
 }
 
-void keepSoFar(const SearchContext& search, const std::vector<CandidateResult>& candidates) {
-    const Frontier& frontier = search.frontier;
-    if (!search.options.keep || !frontier.begun) return;
-    Finding finding =
-        frontier.whole && isClear(*frontier.whole) ? tellWhole(search, frontier.whole->node, nullptr) : *frontier.begun;
+void keepSoFar(SearchContext& search, const std::vector<CandidateResult>& candidates) {
+    if (!search.options.keep || !search.frontier.begun) return;
+    const Whole* const whole = search.frontier.toTell();
+    Finding finding = whole ? tellWhole(search, whole->node, nullptr) : *search.frontier.begun;
     finding.candidates = candidates;
     settleVerdicts(finding, finding.candidates);
     search.options.keep(std::move(finding));
@@ -118,20 +122,19 @@ Outcome<Finding> foundSoFar(SearchContext& search, const NullModel& first) {
         if (!fitted) return fitted;
         frontier.begun = std::move(*fitted);
     }
-    const bool hasEffects = frontier.whole && isClear(*frontier.whole);
+    Whole* const whole = frontier.toTell();
     std::optional<FlatModel> valued;
-    if (hasEffects) {
-        Node& whole = frontier.whole->node;
-        readAsThen(search, *frontier.whole);
-        soon([&] { takeChecksAndRecordings(search, whole); });
+    if (whole) {
+        Node& node = whole->node;
+        readAsThen(search, *whole);
+        soon([&] { takeChecksAndRecordings(search, node); });
         soon([&] {
-            if (Outcome<FlatModel> flat = flattened(whole.null.variant.task, whole.state->modelText); flat)
+            if (Outcome<FlatModel> flat = flattened(node.null.variant.task, node.state->modelText); flat)
                 valued = std::move(*flat);
         });
     }
-    Finding finding =
-        hasEffects ? tellWhole(search, frontier.whole->node, valued ? &*valued : nullptr) : *frontier.begun;
-    finding.candidates = hasEffects ? frontier.whole->node.candidates : frontier.noted;
+    Finding finding = whole ? tellWhole(search, whole->node, valued ? &*valued : nullptr) : *frontier.begun;
+    finding.candidates = whole ? whole->node.candidates : frontier.noted;
     const Text why = takenOut(phrase("the search was stopped before it was borne out"));
     for (CandidateResult& c : finding.candidates)
         if (c.verdict == Verdict::Chosen &&

@@ -15,7 +15,7 @@ Outcome<ModelState> stateSoFar(const NullModel& null, const SimulationOptions& s
 Outcome<Finding> fittedSoFar(const NullModel& null, const SimulationOptions& simulation);
 
 /// Hands on what there is to tell until now, whenever that is more than before (DiscoverOptions::keep).
-void keepSoFar(const SearchContext& search, const std::vector<CandidateResult>& candidates);
+void keepSoFar(SearchContext& search, const std::vector<CandidateResult>& candidates);
 
 /// What a search that was stopped reports: the best model that was whole, since what came after it may be half a refit;
 /// else the model as given. It had no time to say what is left. `first`: the first fit, as far as it came.

@@ -64,21 +64,31 @@ void weighAgain(SearchContext& search, Node& path) {
     treatAlike(search, path);
 }
 
+/// Keeps the node as `best` where it is better than the best so far. Returns its error [%] of the fitted data; empty:
+/// stopped meanwhile.
+std::optional<double> keepBest(SearchContext& search, const Node& path, std::optional<Whole>& best) {
+    Outcome<ModelState> after = stateOf(path.null.variant, path.null.fit, search.fit.simulation, search.progress);
+    if (!after || search.progress.stopRequested()) return std::nullopt;
+    const Frontier& frontier = search.frontier;
+    const double error = errorPercentOf(*after, Role::Fit);
+    const bool isBetter = !frontier.whole || error < errorPercentOf(*frontier.whole->node.state, Role::Fit);
+    if (!isBetter || hasProposal(path.null)) return error;
+    const bool predicts = frontier.origin && predictsClearlyBetter(search, path.null, *frontier.origin);
+    search.frontier.unweighed.reset();
+    best = Whole{path, search.readings, predicts};
+    best->node.state = std::move(*after);
+    keepSoFar(search, path.candidates);
+    return error;
+}
+
 /// Keeps the node where it is the best so far; true where the search has been there before.
 bool visit(SearchContext& search, Node& path) {
-    Outcome<ModelState> after = stateOf(path.null.variant, path.null.fit, search.fit.simulation, search.progress);
-    if (!after || search.progress.stopRequested()) return false;
     Frontier& frontier = search.frontier;
-    const double error = errorPercentOf(*after, Role::Fit);
-    frontier.bestError = std::min(frontier.bestError, error);
-    if (!hasProposal(path.null) &&
-        !(frontier.whole && errorPercentOf(*frontier.whole->node.state, Role::Fit) <= error)) {
-        const bool predicts = frontier.origin && predictsClearlyBetter(search, path.null, *frontier.origin);
-        frontier.whole = Whole{path, search.readings, predicts};
-        frontier.whole->node.state = std::move(*after);
-        keepSoFar(search, path.candidates);
-    }
-    Stay here = stayAt(search, path.null, error);
+    const std::optional<double> error = keepBest(search, path, frontier.whole);
+    if (!error) return false;
+    frontier.bestError = std::min(frontier.bestError, *error);
+    if (!hasProposal(path.null)) frontier.unweighed.reset();  // else the best of named effects stays
+    Stay here = stayAt(search, path.null, *error);
     const auto before =
         std::find_if(frontier.visited.begin(), frontier.visited.end(), [&](const Stay& s) { return s.isLike(here); });
     const bool isThere = before != frontier.visited.end();
@@ -102,6 +112,7 @@ bool goOnByOne(SearchContext& search, Node& path, Round round) {
     if (search.progress.stopRequested()) return false;
     noteAll(search, path, round);
     if (!round.chosen || !addChoices(search, path, round, other)) return false;
+    keepBest(search, path, frontier.unweighed);
     weighAgain(search, path);
     frontier.beginsAnew = takesEdgesForDelays(search, path.null);
     if (frontier.beginsAnew || visit(search, path)) return false;

@@ -49,7 +49,8 @@ Outcome<Finding> Run::run() {
     Outcome<Finding> finding = found();
     if (!finding) return finding;
     finding->seconds = secondsSince(begin);
-    if (search_.work.isSpent())
+    finding->isAtLimitOfWork = search_.work.isSpent();
+    if (finding->isAtLimitOfWork)
         finding->warnings.push_back(phrase(
             "the search was ended after {:.0f} times the work of the fit of the model as given, and says what it had "
             "until then; with more patience (--patience {:.0f}) it goes on",
@@ -116,6 +117,7 @@ Outcome<Done> Run::fitAsGiven() {
         warnings.push_back(null->beginning->remark);
     }
     if (const Outcome<Done> fitted = fitOnAll(); !fitted) return fitted.diagnostics();
+    fitWork_ = search_.simulated.done();  // without what other starts and faulty samples cost
     search_.journal.model("null fit", *null, "fitted");
     const bool isAtRest = !anyOutputMoves(readings.full.task);
     const bool hasFaults = !isAtRest && leaveOutFaults(search_, onAll_ ? *onAll_ : *null);
@@ -158,7 +160,6 @@ Outcome<Done> Run::tellAsGiven() {
     keepAsInterrupted();
     keepSoFar(search_, {});
     search_.journal.model("null fit", end_.base, "base");
-    fitWork_ = search_.simulated.done();
     search_.work.limitSimulated(search_.options.patience * std::max(leastPatience, mostOfAFit * fitWork_));
     search_.fit.simulation.relativeTolerance = toleranceBeside(end_.base, simulation.relativeTolerance);
     return Done{};

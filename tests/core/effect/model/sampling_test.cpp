@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/effect/model/thin.hpp"
 #include "tests/core/effect/warm_body.hpp"
 
 namespace analogon {
@@ -25,22 +24,6 @@ TEST(SamplingInterval, IsTheMedianOfTheFittedRecordings) {
     EstimationTask checked = sampledAt({0, 1, 2});
     checked.recordings.edit().front().role = Role::Validate;
     EXPECT_EQ(samplingInterval(checked), 0) << "nothing is fitted";
-}
-
-TEST(Thinned, IsTheMeanOfNeighboursBehindTheFirstSample) {
-    const EstimationTask thin = thinned(sampledAt({0, 1, 2, 3, 4, 5, 6}), 3);
-    const Recording& r = thin.recordings.front();
-    ASSERT_EQ(r.time.size(), 3u);
-    EXPECT_DOUBLE_EQ(r.time[0], 0);
-    EXPECT_DOUBLE_EQ(r.time[1], 2);
-    EXPECT_DOUBLE_EQ(r.inputs(0, 1), 2);
-    EXPECT_DOUBLE_EQ(r.outputs(0, 2), 10);
-}
-
-TEST(Thinned, ByAsMuchAsBringsAllTogetherUnderALimit) {
-    const EstimationTask task = sampledAt({0, 1, 2, 3, 4, 5, 6});
-    EXPECT_EQ(thinningFor(task, 7), 1);
-    EXPECT_GE(thinningFor(task, 3), 2);
 }
 
 }  // namespace

@@ -27,48 +27,48 @@ Recording counting(int samples, Role role = Role::Fit) {
 
 TEST(Thinned, TakesMeansBehindTheFirstSample) {
     EstimationTask task;
-    task.recordings = {counting(7)};
+    task.recordings = {counting(8)};
     const EstimationTask shorter = thinned(task, 3);
     const Recording& r = shorter.recordings.front();
-    EXPECT_EQ(r.time, (std::vector<double>{0, 1, 2.5}));
-    EXPECT_EQ(r.inputs.row(0), (Eigen::RowVector3d(0, 2, 5)));
-    EXPECT_EQ(r.outputs.row(0), (Eigen::RowVector3d(0, 20, 50)));
-    EXPECT_EQ(r.spares.front().values, (std::vector<double>{100, 102, 105}));
+    EXPECT_EQ(r.time, (std::vector<double>{0, 1.5, 3})) << "all steps are as long";
+    EXPECT_EQ(r.inputs.row(0), (Eigen::RowVector3d(0, 3, 6)));
+    EXPECT_EQ(r.outputs.row(0), (Eigen::RowVector3d(0, 30, 60)));
+    EXPECT_EQ(r.spares.front().values, (std::vector<double>{100, 103, 106}));
 }
 
 TEST(Thinned, LeavesOutWhatWasNotMeasured) {
     EstimationTask task;
-    task.recordings = {counting(7)};
+    task.recordings = {counting(8)};
     Eigen::MatrixXd& y = task.recordings.edit().front().outputs;
-    y(0, 2) = y(0, 4) = y(0, 5) = y(0, 6) = std::nan("");
+    y(0, 3) = y(0, 5) = y(0, 6) = y(0, 7) = std::nan("");
     const EstimationTask shorter = thinned(task, 3);
     const Recording& r = shorter.recordings.front();
-    EXPECT_EQ(r.outputs(0, 1), 20) << "of 10 and 30";
+    EXPECT_EQ(r.outputs(0, 1), 30) << "of 20 and 40";
     EXPECT_TRUE(std::isnan(r.outputs(0, 2)));
 }
 
 /// A held input moves the plant by what it is between the new samples: 0 for half of the time, 8 for the other.
 TEST(Thinned, TakesTheMeanOfAHeldInputOverTheTimeThatItIsHeldFor) {
     EstimationTask task;
-    task.recordings = {counting(7)};
+    task.recordings = {counting(8)};
     const EstimationTask shorter = thinned(task, 3);
-    EXPECT_NEAR(shorter.recordings.front().inputs(1, 1), 8 * 0.5 / 1.5, 1e-12);
+    EXPECT_NEAR(shorter.recordings.front().inputs(1, 1), 8 * 1.0 / 1.5, 1e-12);
 }
 
 TEST(Thinned, LeavesAloneWhatOnlyValidates) {
     EstimationTask task;
-    task.recordings = {counting(7), counting(7, Role::Validate)};
+    task.recordings = {counting(8), counting(8, Role::Validate)};
     const EstimationTask shorter = thinned(task, 3);
     EXPECT_EQ(shorter.recordings[0].time.size(), 3u);
-    EXPECT_EQ(shorter.recordings[1].time.size(), 7u);
-    EXPECT_EQ(thinned(task, 1).recordings[0].time.size(), 7u);
+    EXPECT_EQ(shorter.recordings[1].time.size(), 8u);
+    EXPECT_EQ(thinned(task, 1).recordings[0].time.size(), 8u);
 }
 
 TEST(ThinningFor, BringsAllFittedRecordingsTogetherUnderTheLimit) {
     EstimationTask task;
     task.recordings = {counting(60), counting(41), counting(1000, Role::Validate)};
     EXPECT_EQ(thinningFor(task, 101), 1);
-    EXPECT_EQ(thinningFor(task, 100), 2);
+    EXPECT_EQ(thinningFor(task, 100), 3) << "an even raster stays even";
     EXPECT_EQ(thinningFor(task, 50), 3);
 }
 

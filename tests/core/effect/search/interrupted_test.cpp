@@ -55,6 +55,21 @@ TEST(FoundSoFar, TellsWhatPredictsClearlyBetterAsAWhole) {
     EXPECT_TRUE(finding->effects.empty());
 }
 
+/// What a round chose is told from then on, not only when it was weighed against all that might be in its place.
+TEST(FoundSoFar, HasWhatARoundChoseBeforeItIsWeighed) {
+    const Frontier* frontier = nullptr;
+    std::vector<std::string> unweighed;
+    DiscoverOptions options;
+    options.keep = [&](const Finding& finding) {
+        if (frontier->unweighed && !finding.effects.empty()) unweighed.push_back(finding.effects.front().kind);
+    };
+    WarmSearch of(laggingBody(3), options);
+    frontier = &of.search.frontier;
+    reachTheLag(of);
+    EXPECT_EQ(unweighed, (std::vector<std::string>{"sensor.lag"}));
+    EXPECT_FALSE(of.search.frontier.unweighed) << "it was weighed since";
+}
+
 TEST(FoundSoFar, IsToldWithTheRecordingsAsTheyWereReadThen) {
     WarmSearch of(laggingBody(3));
     reachTheLag(of);

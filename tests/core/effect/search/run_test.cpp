@@ -52,6 +52,7 @@ TEST(Run, ThatTakesLongerThanAllowedSaysWhatItHas) {
         const Outcome<Finding> finding = analogon::Run(laggingBody(3), options, {}).run();
         ASSERT_TRUE(finding);
         EXPECT_TRUE(finding->interrupted);
+        EXPECT_TRUE(finding->isAtLimitOfWork) << "nobody stopped it";
         ASSERT_FALSE(finding->warnings.empty());
         EXPECT_NE(finding->warnings.back().find("--patience"), std::string::npos);
         for (const Decision& d : options.trace->decisions())
@@ -64,6 +65,7 @@ TEST(Run, ThatTakesLongerThanAllowedSaysWhatItHas) {
     const Outcome<Finding> whole = analogon::Run(laggingBody(3), patient, {}).run();
     ASSERT_TRUE(whole);
     EXPECT_FALSE(whole->interrupted);
+    EXPECT_FALSE(whole->isAtLimitOfWork);
 }
 
 TEST(Run, ThatIsStoppedAtTheLimitOfItsWorkSaysSo) {
