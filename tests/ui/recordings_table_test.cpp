@@ -3,8 +3,10 @@
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTableView>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <algorithm>
 #include <ctime>
 
@@ -86,6 +88,49 @@ TEST_F(RecordingsTable, OpensFromThePanelAndIsClosed) {
     ASSERT_TRUE(page()->isVisible());
     QTest::mouseClick(page()->closeButton(), Qt::LeftButton);
     EXPECT_FALSE(page()->isVisible());
+}
+
+TEST_F(RecordingsTable, HiddenDoesNothingAndShownAgainSaysWhatHasChangedOnce) {
+    openTable();
+    QTest::mouseClick(page()->closeButton(), Qt::LeftButton);
+    ASSERT_FALSE(page()->isVisible());
+    RecordingsModel* const model = page()->model();
+    QSignalSpy resets(model, &QAbstractItemModel::modelReset), changes(model, &QAbstractItemModel::dataChanged);
+    addCopies(3, [](StudyExperiment& copy, int i) { copy.range = std::pair(0.0, 1.0 + i); });  // to be measured
+    run(RunKind::Simulate);
+    QTest::qWait(200);
+    EXPECT_TRUE(resets.isEmpty());
+    EXPECT_TRUE(changes.isEmpty());
+    EXPECT_EQ(model->rowCount(), 2);
+
+    QTest::keyClick(&window, Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+    ASSERT_TRUE(page()->isVisible());
+    EXPECT_EQ(resets.size(), 1);
+    EXPECT_EQ(model->rowCount(), 5);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return text(4, duration()) == "3 s"; }, 5000))
+        << text(4, duration()).toStdString();
+    QTest::qWait(50);
+    const auto changed = changes.size();
+    QTest::mouseClick(page()->closeButton(), Qt::LeftButton);
+    QTest::keyClick(&window, Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+    ASSERT_TRUE(page()->isVisible());
+    QTest::qWait(100);
+    EXPECT_EQ(changes.size(), changed) << "nothing has changed since";
+    EXPECT_EQ(resets.size(), 1);
+}
+
+TEST_F(RecordingsTable, ThePanelOfMeasurementsMeasuresWhenItIsSeen) {
+    openLambda();
+    auto* const measurements = panel<MeasurementPanel>();
+    const auto extent = [&] { return measurements->tree()->topLevelItem(0)->child(0)->text(0); };
+    measurements->hide();
+    StudySettings settings = document().settings();
+    settings.experiments[0].range = std::pair(0.0, 3.0);
+    document().applySettings(std::move(settings), "range");
+    QTest::qWait(300);
+    EXPECT_FALSE(extent().contains("samples")) << extent().toStdString();
+    measurements->show();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return extent().endsWith("3 s"); }, 5000)) << extent().toStdString();
 }
 
 TEST_F(RecordingsTable, RoleIsChosenInItsCellAndUndoneInOneStep) {

@@ -56,6 +56,7 @@ Q_SIGNALS:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     friend class MappingDelegate;
@@ -95,6 +96,7 @@ private:
     QString draggedColumn_;  // under way to a signal; empty: none
     QPoint pressedAt_;
     bool isDragging_{};
+    bool isMeasureOwed_{};  // something changed while nobody saw the panel
 };
 
 }  // namespace analogon::ui

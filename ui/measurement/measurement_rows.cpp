@@ -83,8 +83,15 @@ bool MeasurementPanel::isExtentAtHand(const StudyExperiment& experiment) const {
     return !experiment.range && isAtHand(document_.study().tables, experiment);
 }
 
-/// Channels of several rasters are joined beside the window: that may take a while.
+void MeasurementPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (isMeasureOwed_) measureExtents();
+}
+
+/// Channels of several rasters are joined beside the window: that may take a while, and is not done for nobody.
 void MeasurementPanel::measureExtents() {
+    isMeasureOwed_ = !isVisible();
+    if (isMeasureOwed_) return measurer_.drop();
     using Extents = std::vector<std::pair<QString, RecordingExtent>>;
     std::vector<StudyExperiment> experiments;
     if (document_.isOpen())

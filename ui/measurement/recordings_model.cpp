@@ -43,9 +43,21 @@ RecordingsModel::RecordingsModel(Document& document, QObject* parent)
     : QAbstractTableModel(parent), document_(document) {
     for (auto signal : {&Document::opened, &Document::experimentsChanged, &Document::resultChanged,
                         &Document::leftOutChanged, &Document::factsChanged})
-        connect(&document, signal, this, &RecordingsModel::refresh);
+        connect(&document, signal, this, &RecordingsModel::follow);
     connect(&document, &Document::opened, this, [this] { extents_.clear(); });
-    refresh();
+}
+
+void RecordingsModel::setShown(bool isShown) {
+    isShown_ = isShown;
+    if (isShown_ && isBehind_) refresh();
+    if (isShown_ || !measurer_.isBusy()) return;
+    measurer_.drop();  // its rows may be others by then
+    isBehind_ = true;
+}
+
+void RecordingsModel::follow() {
+    isBehind_ = true;
+    if (isShown_) refresh();
 }
 
 int RecordingsModel::rowCount(const QModelIndex& parent) const {
@@ -112,6 +124,7 @@ void RecordingsModel::readErrors(std::vector<Row>& rows) const {
 }
 
 void RecordingsModel::refresh() {
+    isBehind_ = false;
     std::vector<Row> rows;
     std::set<std::string> outputs;
     if (document_.isOpen())

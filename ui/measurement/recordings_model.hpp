@@ -17,7 +17,7 @@ namespace analogon::ui {
 class Document;
 
 /// The recordings of the study with what is settled of each and what the present run says of it. Every edit goes
-/// through the document and is one step of undo.
+/// through the document and is one step of undo. As long as nobody sees it, it does nothing and stays as it was.
 class RecordingsModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -28,6 +28,9 @@ public:
     enum DataRole { SortRole = Qt::UserRole, NameRole };
 
     explicit RecordingsModel(Document& document, QObject* parent = nullptr);
+
+    /// Whether somebody sees it: it then follows the document, at once where that has changed meanwhile.
+    void setShown(bool isShown);
 
     int samplesColumn() const { return FirstError + static_cast<int>(outputs_.size()); }
     int durationColumn() const { return samplesColumn() + 1; }
@@ -66,6 +69,7 @@ private:
         QStringList fault;
         QString failure;  // of its simulation
     };
+    void follow();
     void refresh();
     Row rowOf(const StudyExperiment& experiment) const;
     void readErrors(std::vector<Row>& rows) const;
@@ -82,6 +86,7 @@ private:
     std::vector<Row> rows_;
     std::vector<std::string> outputs_;
     std::map<std::string, RecordingExtent> extents_;  // those that were worked out, by what they depend on
+    bool isShown_{}, isBehind_{true};                 // behind what the document says
 };
 
 }  // namespace analogon::ui

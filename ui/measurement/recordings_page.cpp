@@ -133,6 +133,16 @@ RecordingsPage::RecordingsPage(Document& document, QWidget* parent)
     updateState();
 }
 
+void RecordingsPage::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    model_->setShown(true);
+}
+
+void RecordingsPage::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    model_->setShown(false);
+}
+
 /// The first columns are as wide as their names, as long as these leave room for the others.
 void RecordingsPage::fitNames() {
     view_->horizontalHeader()->setResizeContentsPrecision(-1);
