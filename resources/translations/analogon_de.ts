@@ -3789,6 +3789,150 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <source>The film under a brush or in a plug: it conducts the better the more current flows. With m = 1 its voltage rises to R_c*i_c and stays there, with m = 2 it falls again.</source>
         <translation>Der Film unter einer Bürste oder in einem Stecker: Er leitet umso besser, je mehr Strom fließt. Mit m = 1 steigt seine Spannung auf R_c*i_c und bleibt dort, mit m = 2 fällt sie wieder.</translation>
     </message>
+    <message>
+        <source>A step</source>
+        <translation>Ein Sprung</translation>
+    </message>
+    <message>
+        <source>A ramp</source>
+        <translation>Eine Rampe</translation>
+    </message>
+    <message>
+        <source>A sine</source>
+        <translation>Ein Sinus</translation>
+    </message>
+    <message>
+        <source>A train of pulses</source>
+        <translation>Eine Folge von Impulsen</translation>
+    </message>
+    <message>
+        <source>A train of trapezoids</source>
+        <translation>Eine Folge von Trapezen</translation>
+    </message>
+    <message>
+        <source>A sine whose frequency rises</source>
+        <translation>Ein Sinus, dessen Frequenz steigt</translation>
+    </message>
+    <message>
+        <source>A signal through points</source>
+        <translation>Ein Signal durch Punkte</translation>
+    </message>
+    <message>
+        <source>Height of the step, in the unit of what is connected</source>
+        <translation>Höhe des Sprungs, in der Einheit dessen, was verbunden ist</translation>
+    </message>
+    <message>
+        <source>Height that is reached, in the unit of what is connected</source>
+        <translation>Höhe, die erreicht wird, in der Einheit dessen, was verbunden ist</translation>
+    </message>
+    <message>
+        <source>Amplitude, in the unit of what is connected</source>
+        <translation>Amplitude, in der Einheit dessen, was verbunden ist</translation>
+    </message>
+    <message>
+        <source>Value before the start, in the unit of what is connected</source>
+        <translation>Wert vor dem Beginn, in der Einheit dessen, was verbunden ist</translation>
+    </message>
+    <message>
+        <source>Value about which it swings, in the unit of what is connected</source>
+        <translation>Wert, um den es schwingt, in der Einheit dessen, was verbunden ist</translation>
+    </message>
+    <message>
+        <source>Height of the pulses, in the unit of what is connected</source>
+        <translation>Höhe der Impulse, in der Einheit dessen, was verbunden ist</translation>
+    </message>
+    <message>
+        <source>Height of the trapezoids, in the unit of what is connected</source>
+        <translation>Höhe der Trapeze, in der Einheit dessen, was verbunden ist</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>Duration of the rise</source>
+        <translation>Dauer des Anstiegs</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>Phase at the start</source>
+        <translation>Phase zu Beginn</translation>
+    </message>
+    <message>
+        <source>Part of the period that a pulse lasts</source>
+        <translation>Teil der Periode, den ein Impuls dauert</translation>
+    </message>
+    <message>
+        <source>Duration of the flat top</source>
+        <translation>Dauer des Dachs</translation>
+    </message>
+    <message>
+        <source>Duration of the fall</source>
+        <translation>Dauer des Abfalls</translation>
+    </message>
+    <message>
+        <source>Time since the present period began</source>
+        <translation>Zeit seit Beginn der laufenden Periode</translation>
+    </message>
+    <message>
+        <source>Frequency at the start</source>
+        <translation>Frequenz zu Beginn</translation>
+    </message>
+    <message>
+        <source>Frequency at the end</source>
+        <translation>Frequenz am Ende</translation>
+    </message>
+    <message>
+        <source>Duration of the sweep</source>
+        <translation>Dauer des Durchlaufs</translation>
+    </message>
+    <message>
+        <source>Time since the start</source>
+        <translation>Zeit seit dem Beginn</translation>
+    </message>
+    <message>
+        <source>Time that the frequency has risen</source>
+        <translation>Zeit, die die Frequenz gestiegen ist</translation>
+    </message>
+    <message>
+        <source>Times of the points, rising</source>
+        <translation>Zeiten der Punkte, steigend</translation>
+    </message>
+    <message>
+        <source>Values at these times, in the unit of what is connected</source>
+        <translation>Werte zu diesen Zeiten, in der Einheit dessen, was verbunden ist</translation>
+    </message>
+    <message>
+        <source>Keeps one value until the start, and another one from then on.</source>
+        <translation>Behält bis zum Beginn einen Wert, und von da an einen anderen.</translation>
+    </message>
+    <message>
+        <source>Rises on a straight line from one value to another, and keeps it. A duration of 0 makes it a step.</source>
+        <translation>Steigt auf einer Geraden von einem Wert zu einem anderen und behält ihn. Mit einer Dauer von 0 ist es ein Sprung.</translation>
+    </message>
+    <message>
+        <source>Swings about the offset from the start on.</source>
+        <translation>Schwingt vom Beginn an um den Versatz.</translation>
+    </message>
+    <message>
+        <source>Switches a value on and off again, once in each period from the start on.</source>
+        <translation>Schaltet vom Beginn an einmal in jeder Periode einen Wert ein und wieder aus.</translation>
+    </message>
+    <message>
+        <source>Rises to a value, keeps it, falls back and waits for the next period.</source>
+        <translation>Steigt auf einen Wert, behält ihn, fällt zurück und wartet auf die nächste Periode.</translation>
+    </message>
+    <message>
+        <source>A sine that excites one frequency after the other: its frequency runs on a straight line from f1 to f2, and stays there.</source>
+        <translation>Ein Sinus, der eine Frequenz nach der anderen anregt: Seine Frequenz läuft auf einer Geraden von f1 nach f2 und bleibt dort.</translation>
+    </message>
+    <message>
+        <source>Runs on straight lines from point to point; before the first and behind the last it keeps their values.</source>
+        <translation>Läuft auf Geraden von Punkt zu Punkt; vor dem ersten und hinter dem letzten behält es deren Werte.</translation>
+    </message>
 </context>
 <context>
     <name>Language</name>

@@ -36,7 +36,9 @@ bool isBlock(const LibraryClass& c) { return !isConnector(c) && !isPackage(c) &&
 bool isSignalBlock(const std::string& name) {
     for (const char* package :
          {"Analogon.Signals.", "Analogon.Effects.Signals.", "Analogon.Effects.Sensor.", "Analogon.Effects.Actuator.",
-          "Analogon.Interfaces.PartialSignal", "Analogon.Sources.Constant"})
+          "Analogon.Interfaces.PartialSignal", "Analogon.Sources.Constant", "Analogon.Sources.Step",
+          "Analogon.Sources.Ramp", "Analogon.Sources.Sine", "Analogon.Sources.Pulse", "Analogon.Sources.Trapezoid",
+          "Analogon.Sources.Chirp", "Analogon.Sources.TimeTable"})
         if (name.starts_with(package)) return true;
     return false;
 }

@@ -64,10 +64,13 @@ const std::vector<QStringList>& meanings() {
             "speed velocity drehzahl geschwindigkeit",
             "angle position winkel drehwinkel stellung",
             "loss leak verlust",
-            "step sprung",
+            "step jump sprung",
             "ramp rampe",
-            "sine sinus",
-            "pulse impuls puls",
+            "sine sinus oscillation schwingung",
+            "pulse impuls puls rectangle square rechteck pwm",
+            "trapezoid trapez",
+            "chirp sweep wobbel gleitsinus",
+            "excitation generator anregung",
         };
         std::vector<QStringList> groups;
         for (const char* line : lines) groups.push_back(folded(QString::fromUtf8(line)).split(u' '));
