@@ -52,25 +52,6 @@ std::string transformationText(const Placement& placement) {
     return whole.substr(head.size(), whole.size() - head.size() - 1);
 }
 
-/// Sets member `inner` of the annotation record `outer` to a text, with all else in the annotation kept.
-Replacement setAnnotation(const std::optional<syntax::Annotation>& annotation, std::uint32_t without,
-                          std::string_view outer, std::string_view inner, const std::string& innerText,
-                          const std::string& fresh) {
-    if (!annotation) return {without, without, " annotation (" + fresh + ")"};
-    const Modification* record = annotation->find(outer);
-    if (!record) {
-        if (annotation->arguments.empty())
-            return {annotation->span.begin, annotation->span.end, "annotation (" + fresh + ")"};
-        const std::uint32_t end = annotation->arguments.back().span.end;
-        return {end, end, ", " + fresh};
-    }
-    for (const Modification& member : record->arguments)
-        if (member.name.text() == inner) return {member.span.begin, member.span.end, innerText};
-    if (record->arguments.empty()) return {record->span.begin, record->span.end, fresh};
-    const std::uint32_t begin = record->arguments.front().span.begin;
-    return {begin, begin, innerText + ", "};
-}
-
 }  // namespace
 
 ModelEdit::ModelEdit(const ClassDefinition& definition, const Diagram* diagram, const Library* library)
@@ -244,8 +225,9 @@ ModelEdit::Replacements ModelEdit::inside(const Component& component, const Comp
         }
     }
     if (change.placement)
-        edits.push_back(setAnnotation(component.annotation, component.span.end, "Placement", "transformation",
-                                      transformationText(*change.placement), placementAnnotation(*change.placement)));
+        edits.push_back(edit_text::setAnnotation(component.annotation, component.span.end, "Placement",
+                                                 "transformation", transformationText(*change.placement),
+                                                 placementAnnotation(*change.placement)));
     return edits;
 }
 
@@ -367,7 +349,8 @@ void ModelEdit::writeConnections(Replacements& edits) const {
             const auto begin = line.find("points=");
             const std::string points = line.substr(begin, line.find("}}", begin) + 2 - begin);
             const std::uint32_t beforeSemicolon = equation->span.end - (text[equation->span.end - 1] == ';' ? 1 : 0);
-            edits.push_back(setAnnotation(equation->annotation, beforeSemicolon, "Line", "points", points, line));
+            edits.push_back(
+                edit_text::setAnnotation(equation->annotation, beforeSemicolon, "Line", "points", points, line));
         }
     }
 }

@@ -230,4 +230,22 @@ std::vector<Replacement> setModifications(const std::vector<Modification>& list,
     return edit.finish(listSpan);
 }
 
+syntax::Replacement setAnnotation(const std::optional<syntax::Annotation>& annotation, std::uint32_t without,
+                                  std::string_view outer, std::string_view inner, const std::string& innerText,
+                                  const std::string& fresh) {
+    if (!annotation) return {without, without, " annotation (" + fresh + ")"};
+    const syntax::Modification* record = annotation->find(outer);
+    if (!record) {
+        if (annotation->arguments.empty())
+            return {annotation->span.begin, annotation->span.end, "annotation (" + fresh + ")"};
+        const std::uint32_t end = annotation->arguments.back().span.end;
+        return {end, end, ", " + fresh};
+    }
+    for (const syntax::Modification& member : record->arguments)
+        if (member.name.text() == inner) return {member.span.begin, member.span.end, innerText};
+    if (record->arguments.empty()) return {record->span.begin, record->span.end, fresh};
+    const std::uint32_t begin = record->arguments.front().span.begin;
+    return {begin, begin, innerText + ", "};
+}
+
 }  // namespace analogon::edit_text

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,12 @@ syntax::Replacement removal(std::string_view text, std::uint32_t begin, std::uin
 std::vector<syntax::Replacement> setModifications(const std::vector<syntax::Modification>& list, const Span& listSpan,
                                                   const std::vector<std::pair<std::string, std::string>>& values,
                                                   const std::vector<std::pair<std::string, std::string>>& classes = {});
+
+/// Sets member `inner` of the annotation record `outer` to a text, with all else in the annotation kept. Without an
+/// annotation `fresh` goes into a new one at `without`.
+syntax::Replacement setAnnotation(const std::optional<syntax::Annotation>& annotation, std::uint32_t without,
+                                  std::string_view outer, std::string_view inner, const std::string& innerText,
+                                  const std::string& fresh);
 
 /// The text under [begin, end) after replacements that lie inside.
 std::string applied(std::string_view text, std::uint32_t begin, std::uint32_t end,

@@ -22,8 +22,8 @@
 #include "core/export/fmi2_text.hpp"
 #include "core/export/fmu_model.hpp"
 #include "core/export/fmu_text.hpp"
-#include "core/export/present_values.hpp"
 #include "core/flat/parameter_change.hpp"
+#include "core/study/present_values.hpp"
 
 namespace analogon {
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "core/export/present_values.hpp"
+#include "core/study/present_values.hpp"
 
 namespace analogon {
 

@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/unit.hpp"
-#include "core/export/present_values.hpp"
 #include "core/flat/flat_model.hpp"
+#include "core/study/present_values.hpp"
 
 namespace analogon {
 

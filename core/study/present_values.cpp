@@ -1,4 +1,4 @@
-#include "core/export/present_values.hpp"
+#include "core/study/present_values.hpp"
 
 #include "core/diagram/edit.hpp"
 #include "core/flat/flat_model.hpp"

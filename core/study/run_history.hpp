@@ -19,7 +19,7 @@ inline constexpr const char* traceEnding = ".f64";
 
 /// A run as it was.
 struct PastRun {
-    std::string command;  // "fit" or "discover"
+    std::string command;  // "simulate", "fit" or "discover"
     std::string ended;    // local time, "2026-03-01T14:02:11"
     double seconds{};
     std::shared_ptr<const Study> ranOn;

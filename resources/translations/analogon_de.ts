@@ -594,10 +594,6 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>dauerte %1 s</translation>
     </message>
     <message>
-        <source>Every run of Fit (F5) and Discover (F6) is kept here.</source>
-        <translation>Jeder Lauf von „Anpassen“ (F5) und „Effekt suchen“ (F6) bleibt hier erhalten.</translation>
-    </message>
-    <message>
         <source>error, fit</source>
         <translation>Fehler, Anpassung</translation>
     </message>
@@ -652,6 +648,14 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>Parameter</source>
         <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Simulate until</source>
+        <translation>Simulieren bis</translation>
+    </message>
+    <message>
+        <source>Every run of Simulate (F4), Fit (F5) and Discover (F6) is kept here.</source>
+        <translation>Jeder Lauf von „Simulieren“ (F4), „Anpassen“ (F5) und „Effekt suchen“ (F6) bleibt hier erhalten.</translation>
     </message>
 </context>
 <context>
@@ -4326,6 +4330,26 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <source>Not connected yet: no run</source>
         <translation>Noch nicht verbunden: kein Lauf</translation>
     </message>
+    <message>
+        <source>Simulate</source>
+        <translation>Simulieren</translation>
+    </message>
+    <message>
+        <source>Simulate the model: over its recordings, and by itself where sources drive it</source>
+        <translation>Das Modell simulieren: über seine Aufzeichnungen, und für sich, wo Quellen es antreiben</translation>
+    </message>
+    <message>
+        <source>Record as measurement …</source>
+        <translation>Als Messung aufzeichnen …</translation>
+    </message>
+    <message>
+        <source>Make a recording to practise on from the simulation, with noise</source>
+        <translation>Aus der Simulation eine Übungsaufzeichnung machen, mit Rauschen</translation>
+    </message>
+    <message>
+        <source>Recorded to %1.</source>
+        <translation>Aufgezeichnet in %1.</translation>
+    </message>
 </context>
 <context>
     <name>MainWindowFiles</name>
@@ -4902,10 +4926,6 @@ Relativer Standardfehler %1 %</translation>
         <translation>Das Modell wird simuliert, wie es ist …</translation>
     </message>
     <message>
-        <source>Import a measurement and map its columns: measured and simulated traces then appear here.</source>
-        <translation>Messung importieren, Spalten zuordnen: Gemessene und simulierte Kurven erscheinen hier.</translation>
-    </message>
-    <message>
         <source>before</source>
         <translation>vorher</translation>
     </message>
@@ -4960,6 +4980,10 @@ Relativer Standardfehler %1 %</translation>
     <message>
         <source>Show the traces of the study again, instead of two runs over each other</source>
         <translation>Wieder die Kurven der Studie zeigen, nicht zwei Läufe übereinander</translation>
+    </message>
+    <message>
+        <source>Import a measurement and map its columns: measured and simulated traces then appear here. Simulate (F4) shows the model by itself.</source>
+        <translation>Eine Messung importieren und ihre Spalten zuordnen: Dann erscheinen hier gemessene und simulierte Verläufe. „Simulieren“ (F4) zeigt das Modell für sich.</translation>
     </message>
 </context>
 <context>
@@ -12709,6 +12733,54 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <source>only {} of {} recordings were looked at</source>
         <translation>nur {} von {} Aufzeichnungen wurden betrachtet</translation>
     </message>
+    <message>
+        <source>nothing drives the input '{}' of the model</source>
+        <translation>nichts treibt den Eingang '{}' des Modells an</translation>
+    </message>
+    <message>
+        <source>Connect a source of the library to it (a step, a sine, a table), or import a recording and map a column to it.</source>
+        <translation>Eine Quelle der Bibliothek mit ihm verbinden (Sprung, Sinus, Tabelle), oder eine Aufzeichnung importieren und ihm eine Spalte zuordnen.</translation>
+    </message>
+    <message>
+        <source>'{}' has no place for a stop time</source>
+        <translation>'{}' hat keinen Platz für eine Endzeit</translation>
+    </message>
+    <message>
+        <source>Write it as 'model {} extends …; end {};'.</source>
+        <translation>Es als 'model {} extends …; end {};' schreiben.</translation>
+    </message>
+    <message>
+        <source>the run has no values to record</source>
+        <translation>der Lauf hat keine Werte, die aufzuzeichnen wären</translation>
+    </message>
+    <message>
+        <source>a sample time of {} s does not fit into a run of {} s</source>
+        <translation>eine Abtastzeit von {} s passt nicht in einen Lauf von {} s</translation>
+    </message>
+    <message>
+        <source>Choose one above 0 that is shorter than the run.</source>
+        <translation>Eine über 0 wählen, die kürzer ist als der Lauf.</translation>
+    </message>
+    <message>
+        <source>a sample time of {} s gives more than ten million samples</source>
+        <translation>eine Abtastzeit von {} s gibt mehr als zehn Millionen Abtastwerte</translation>
+    </message>
+    <message>
+        <source>Choose a longer one.</source>
+        <translation>Eine längere wählen.</translation>
+    </message>
+    <message>
+        <source>the noise of '{}' cannot have the standard deviation {}</source>
+        <translation>das Rauschen von '{}' kann nicht die Standardabweichung {} haben</translation>
+    </message>
+    <message>
+        <source>Give 0 or more, in the unit of the output.</source>
+        <translation>0 oder mehr angeben, in der Einheit des Ausgangs.</translation>
+    </message>
+    <message>
+        <source>the simulation would end at {}, before it begins at {}</source>
+        <translation>die Simulation würde bei {} enden, vor ihrem Beginn bei {}</translation>
+    </message>
 </context>
 <context>
     <name>Qt</name>
@@ -13834,6 +13906,116 @@ Bitte den Namen prüfen.</translation>
     <message>
         <source>Sort by %1</source>
         <translation>Nach %1 sortieren</translation>
+    </message>
+</context>
+<context>
+    <name>StopField</name>
+    <message>
+        <source>Simulate until</source>
+        <translation>Simulieren bis</translation>
+    </message>
+    <message>
+        <source>When a simulation of the model by itself (F4) ends, in seconds; it is kept in the model's text</source>
+        <translation>Wann eine Simulation des Modells für sich (F4) endet, in Sekunden; es bleibt im Text des Modells</translation>
+    </message>
+    <message>
+        <source>Set the stop time</source>
+        <translation>Endzeit setzen</translation>
+    </message>
+</context>
+<context>
+    <name>PracticeDialog</name>
+    <message>
+        <source>Record</source>
+        <translation>Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Record as measurement</source>
+        <translation>Als Messung aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>The same number gives the same noise</source>
+        <translation>Dieselbe Zahl gibt dasselbe Rauschen</translation>
+    </message>
+    <message>
+        <source>Sample time</source>
+        <translation>Abtastzeit</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Choose where the file goes</source>
+        <translation>Wählen, wohin die Datei kommt</translation>
+    </message>
+    <message>
+        <source>Sample time [s]</source>
+        <translation>Abtastzeit [s]</translation>
+    </message>
+    <message>
+        <source>Seed of the noise</source>
+        <translation>Startwert des Rauschens</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>Noise (standard deviation)</source>
+        <translation>Rauschen (Standardabweichung)</translation>
+    </message>
+    <message>
+        <source>Noise of each output</source>
+        <translation>Rauschen jedes Ausgangs</translation>
+    </message>
+    <message>
+        <source>Where the recording goes</source>
+        <translation>Wohin die Aufzeichnung kommt</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>The sample time is a number of seconds above 0.</source>
+        <translation>Die Abtastzeit ist eine Zahl von Sekunden über 0.</translation>
+    </message>
+    <message>
+        <source>The noise of %1 is a number, 0 or above.</source>
+        <translation>Das Rauschen von %1 ist eine Zahl, 0 oder darüber.</translation>
+    </message>
+    <message>
+        <source>Simulate the model first (F4).</source>
+        <translation>Zuerst das Modell simulieren (F4).</translation>
+    </message>
+    <message>
+        <source>Give the file a name.</source>
+        <translation>Der Datei einen Namen geben.</translation>
+    </message>
+    <message>
+        <source>There is no folder %1.</source>
+        <translation>Es gibt keinen Ordner %1.</translation>
+    </message>
+    <message>
+        <source>There is a file of that name already: choose another one.</source>
+        <translation>Eine Datei dieses Namens gibt es schon: einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>The file becomes a recording of the study, to fit from.</source>
+        <translation>Die Datei wird eine Aufzeichnung der Studie, an die angepasst wird.</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Record %1</source>
+        <translation>%1 aufzeichnen</translation>
     </message>
 </context>
 </TS>

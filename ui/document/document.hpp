@@ -134,6 +134,8 @@ public:
     const RunResult* result() const { return result_.get(); }
     std::shared_ptr<const RunResult> sharedResult() const { return result_; }  // outlives what happens to the study
     RunKind resultKind() const { return resultKind_; }
+    /// The last run simulated the model by itself: then it is simulated again as it changes.
+    bool isSimulated() const;
     bool isResultStale() const;
     /// The completed study is the current one.
     bool isResultAdopted() const;

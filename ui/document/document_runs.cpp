@@ -3,6 +3,7 @@
 #include <QJsonObject>
 #include <algorithm>
 
+#include "core/study/free_run.hpp"
 #include "core/study/recorded.hpp"
 #include "ui/document/document.hpp"
 #include "ui/document/same_study.hpp"
@@ -37,7 +38,9 @@ QString timeText(const QDateTime& ended) {
 }
 
 RunKind kindOf(const std::string& command) {
-    return command == commandName(RunKind::Fit) ? RunKind::Fit : RunKind::Discover;
+    for (const RunKind kind : {RunKind::Simulate, RunKind::Fit})
+        if (command == commandName(kind)) return kind;
+    return RunKind::Discover;
 }
 
 }  // namespace
@@ -202,7 +205,7 @@ void Document::restoreRun(const RunRecord& chosen) {
 }
 
 void Document::setResult(RunKind kind, RunResult result, const Study& ranOn, double seconds) {
-    beforeFit_ = simulated_;
+    beforeFit_ = kind == RunKind::Simulate ? nullptr : simulated_;
     live_.reset();
     result_ = std::make_shared<const RunResult>(std::move(result));
     keepPlots();
@@ -219,6 +222,13 @@ void Document::setResult(RunKind kind, RunResult result, const Study& ranOn, dou
     ++tracesVersion_;
     Q_EMIT resultChanged();
     Q_EMIT modifiedChanged();
+}
+
+bool Document::isSimulated() const {
+    if (!result_ || resultKind_ != RunKind::Simulate) return false;
+    const std::vector<ExperimentState>& shown = result_->finding.final.experiments;
+    return std::any_of(shown.begin(), shown.end(),
+                       [name = freeRunName(*study_)](const ExperimentState& e) { return e.name == name; });
 }
 
 bool Document::isResultStale() const {

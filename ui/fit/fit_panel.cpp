@@ -23,6 +23,7 @@
 #include "ui/effect/result_panel.hpp"
 #include "ui/fit/error_curve.hpp"
 #include "ui/fit/run_controller.hpp"
+#include "ui/fit/stop_field.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
@@ -105,6 +106,7 @@ FitPanel::FitPanel(Document& document, RunController& controller, QWidget* paren
     form->addRow(tr("Method"), method_);
     form->addRow(tr("Misfit"), loss_);
     form->addRow(tr("Starts"), starts_);
+    form->addRow(tr("Simulate until"), new StopField(document, this));
     auto* options = new QWidget;
     auto* column = new QVBoxLayout(options);
     column->setContentsMargins(0, 0, 0, 0);
@@ -354,7 +356,7 @@ void FitPanel::compare() {
     const bool isComparison = rows.size() >= 2;
     comparison_->setVisible(isComparison);
     options_->setVisible(!isComparison);
-    hint_->setText(runs.empty()      ? tr("Every run of Fit (F5) and Discover (F6) is kept here.")
+    hint_->setText(runs.empty()      ? tr("Every run of Simulate (F4), Fit (F5) and Discover (F6) is kept here.")
                    : rows.size() > 2 ? tr("The traces are those of the first and of the last.")
                    : isComparison    ? QString()
                                      : tr("Choose several runs to compare them."));

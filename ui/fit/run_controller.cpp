@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/study/free_run.hpp"
 #include "core/study/left_out.hpp"
 #include "core/study/marked_part.hpp"
 #include "core/study/measured.hpp"
@@ -49,6 +50,24 @@ SoundRun runSound(RunKind kind, const Study& study, const RunOptions& options, c
         sound.run = {std::move(*done), std::move(said)};
     } else {
         sound.run = std::move(said);
+    }
+    return sound;
+}
+
+bool hasRecordings(const Study& study) {
+    return std::any_of(study.experiments.begin(), study.experiments.end(),
+                       [](const StudyExperiment& e) { return e.isUsed && !e.outputs.empty(); });
+}
+
+/// The model over its recordings, and, where nothing but sources of its own drives it, by itself.
+SoundRun runAll(const Study& study, const RunOptions& options, const Progress& progress) {
+    Outcome<RunResult> free = runFreely(study, {}, options, progress);
+    if (!hasRecordings(study)) return {std::move(free), {}};
+    SoundRun sound = runSound(RunKind::Simulate, study, options, progress);
+    if (sound.run && free) {
+        Diagnostics said = sound.run.diagnostics();
+        said.insert(said.end(), free.diagnostics().begin(), free.diagnostics().end());
+        sound.run = {withFreeRun(std::move(*sound.run), *free), std::move(said)};
     }
     return sound;
 }
@@ -199,7 +218,8 @@ void RunController::start(RunKind kind, const RunOptions& options, const Study& 
     run_.start<SoundRun>(
         runName(kind),
         [kind, study, part, options](const Progress& progress) {
-            SoundRun sound = runSound(kind, part, options, progress);
+            SoundRun sound =
+                kind == RunKind::Simulate ? runAll(part, options, progress) : runSound(kind, part, options, progress);
             if (sound.run) *sound.run = forWhole(std::move(*sound.run), study, part);
             return sound;
         },
@@ -341,7 +361,7 @@ void RunController::conclude(RunKind kind, const Study& ranOn, unsigned long rev
 void RunController::preview() {
     if (!document_.isOpen() || (run_.isBusy() && document_.before())) return;
     if (!document_.definition() && document_.before()) return;  // a text being typed: the last traces stay
-    if (!document_.canRun()) return preview_.drop();
+    if (!document_.canRun() && !document_.isSimulated()) return preview_.drop();
     const bool isOpened = std::exchange(isOpened_, false);  // what the study itself says was not told yet
     if (document_.after() && !isOpened) {                   // its traces and remarks are what is shown
         document_.setCheckMessages({});
@@ -388,8 +408,11 @@ void RunController::simulateAsItStands() {
     };
     preview_.start<Seen>(
         tr("Simulation"),
-        [study = document_.study(), options = options_](const Progress& progress) {
-            Seen seen{runSound(RunKind::Simulate, study, options, progress), {}};
+        [study = document_.study(), options = options_,
+         isSimulated = document_.isSimulated()](const Progress& progress) {
+            Seen seen{
+                isSimulated ? runAll(study, options, progress) : runSound(RunKind::Simulate, study, options, progress),
+                {}};
             if (!seen.sound.run || progress.stopRequested()) seen.measured = measuredExperiments(study);
             return seen;
         },

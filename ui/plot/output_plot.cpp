@@ -104,7 +104,7 @@ OutputPlot::OutputPlot(QWidget* parent)
 void OutputPlot::fitInto(int height) {
     const int whole =
         layout()->itemAt(0)->minimumSize().height() + values_->minimumHeight() + residual_->minimumHeight();
-    const bool isWhole = height >= whole;
+    const bool isWhole = height >= whole && hasValues(content_.measured);
     if (isWhole != residual_->QWidget::isHidden()) return;
     residual_->setHidden(!isWhole);
     values_->setTimeLabels(!isWhole);
@@ -129,7 +129,8 @@ QString OutputPlot::legendText(TraceRole role) const {
 void OutputPlot::show(Content content) {
     content_ = std::move(content);
     name_->setText(content_.unit.isEmpty() ? content_.name : content_.name + "  [" + content_.unit + "]");
-    setLegend(TraceRole::Measured, tr("measured"));
+    const bool isMeasured = hasValues(content_.measured);
+    setLegend(TraceRole::Measured, isMeasured ? tr("measured") : QString());
     setLegend(TraceRole::Before, content_.before.empty() ? QString() : content_.beforeLabel);
     setLegend(TraceRole::After, content_.after.empty() ? QString() : content_.afterLabel);
 

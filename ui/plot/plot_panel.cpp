@@ -244,7 +244,8 @@ std::vector<OutputPlot::Content> PlotPanel::contentsOf(const std::string& experi
     const auto part = [](const std::shared_ptr<const ModelState>& of, const Eigen::VectorXd& values) {
         return Series(of, {values.data(), static_cast<std::size_t>(values.size())});
     };
-    const QString beforeWord = stateAfter ? tr("before") : tr("simulated");
+    const bool isSimulation = document_.resultKind() == RunKind::Simulate;
+    const QString beforeWord = stateAfter && !isSimulation ? tr("before") : tr("simulated");
     std::vector<OutputPlot::Content> contents;
     for (const OutputState& output : any->outputs) {
         OutputPlot::Content content;
@@ -252,13 +253,17 @@ std::vector<OutputPlot::Content> PlotPanel::contentsOf(const std::string& experi
         content.unit = QString::fromStdString(output.unit);
         content.time = std::shared_ptr<const std::vector<double>>(shown, &any->time);
         content.measured = part(shown, output.measured);
+        const bool isMeasured = hasValues(content.measured);
+        const auto label = [&](const QString& word, const OutputState& of) {
+            return isMeasured ? word + " " + style::percentText(of.figures.errorPercent) : word;
+        };
         if (const OutputState* o = outputOf(before, output.name)) {
             content.before = part(stateBefore, o->simulated);
-            content.beforeLabel = beforeWord + " " + style::percentText(o->figures.errorPercent);
+            content.beforeLabel = label(beforeWord, *o);
         }
         if (const OutputState* o = outputOf(after, output.name)) {
             content.after = part(stateAfter, o->simulated);
-            content.afterLabel = tr("after") + " " + style::percentText(o->figures.errorPercent);
+            content.afterLabel = label(isSimulation ? tr("simulated") : tr("after"), *o);
         }
         contents.push_back(std::move(content));
     }
@@ -272,6 +277,7 @@ QImage pictureOf(OutputPlot::Content content) {
     plot.resize(900, 340);
     const auto time = content.time;
     plot.show(std::move(content));
+    plot.fitInto(plot.height());
     if (!time->empty()) plot.setTimeRange(time->front(), time->back());
     return plot.grab().toImage();
 }
@@ -310,7 +316,7 @@ void PlotPanel::rebuild() {
                         : document_.modelError() ? tr("The model has an error, and no measurement can be read.")
                         : document_.canRun()     ? tr("Simulating the model as it stands …")
                                              : tr("Import a measurement and map its columns: measured and simulated "
-                                                  "traces then appear here."));
+                                                  "traces then appear here. Simulate (F4) shows the model by itself."));
         pages_->setCurrentWidget(empty_);
         return;
     }
@@ -351,7 +357,7 @@ void PlotPanel::rebuild() {
     for (std::size_t i = 0; i < contents.size(); ++i) {
         OutputPlot::Content& content = contents[i];
         const Series best = content.after.empty() ? content.before : content.after;
-        if (!best.empty())
+        if (!best.empty() && hasValues(content.measured))
             residuals_[i]->show(withUnit(content.name + " ", content.unit), content.unit,
                                 [study = ranOn, name, time = content.time, measured = content.measured, best,
                                  simulated = withUnit(tr("simulated"), content.unit)] {
@@ -360,6 +366,7 @@ void PlotPanel::rebuild() {
                                     return residualFacts(residualOf(measured, best).copy(), against);
                                 });
         plots_[i]->show(std::move(content));
+        plots_[i]->fitInto(area_->viewport()->height());
     }
     const QString key = QString::fromStdString(name);
     const bool isNew = shown_ != key;
@@ -378,6 +385,11 @@ void PlotPanel::rebuild() {
     setTimeRange(from_, to_);
     if ((document_.liveTraces() || document_.preview()) && !runs) showLive();
     const StudyExperiment* shown = shownExperiment();
+    const bool isMeasured = std::any_of(plots_.begin(), plots_.end(),
+                                        [](const OutputPlot* plot) { return hasValues(plot->content().measured); });
+    for (QToolButton* b : {traceView_, residualView_}) b->setVisible(isMeasured);
+    trim_->setVisible(isMeasured && !runs);
+    if (!isMeasured && isResidualView_) showView(false);
     untrim_->setVisible(shown && shown->range && !runs);
     pages_->setCurrentWidget(area_);
 }

@@ -53,7 +53,8 @@ public:
     void pointAt(std::optional<double> time);
     void setMarks(const std::vector<double>& times);
     const Content& content() const { return content_; }
-    /// Where there is no room for both, the residual gives way; the values then carry the time axis.
+    /// Where there is no room for both, or nothing was measured, the residual gives way; the values then carry the time
+    /// axis.
     void fitInto(int height);
 
     TimePlot* values() const { return values_; }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <span>
@@ -36,6 +37,11 @@ private:
     std::shared_ptr<const void> owner_;
     std::span<const double> values_;
 };
+
+/// Whether there is a number among them.
+inline bool hasValues(const Series& series) {
+    return std::any_of(series.values().begin(), series.values().end(), [](double v) { return std::isfinite(v); });
+}
 
 /// What was measured less what was simulated.
 inline Series residualOf(const Series& measured, const Series& simulated) {

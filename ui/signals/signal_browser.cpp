@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "core/signal/formula.hpp"
+#include "core/study/free_run.hpp"
 #include "ui/document/document.hpp"
 #include "ui/signals/plot_layout.hpp"
 #include "ui/style/number.hpp"
@@ -90,14 +91,20 @@ SignalBrowser::SignalBrowser(Document& document, QWidget* parent)
     for (auto changed :
          {&Document::opened, &Document::factsChanged, &Document::experimentsChanged, &Document::plotsChanged})
         connect(&document, changed, this, &SignalBrowser::refresh);
+    connect(&document, &Document::resultChanged, this, [this] {
+        if (document_.isOpen() && document_.isSimulated() != isSimulated_) refresh();
+    });
     refresh();
 }
 
 void SignalBrowser::refresh() {
+    isSimulated_ = document_.isOpen() && document_.isSimulated();
     const PlotLayout layout = document_.isOpen() ? plotLayoutOf(document_.study().extraJson) : PlotLayout{};
     QStringList names;
     if (document_.isOpen())
         for (const StudyExperiment& e : document_.study().experiments) names << QString::fromStdString(e.name);
+    if (document_.isOpen() && (names.isEmpty() || document_.isSimulated()))
+        names << QString::fromStdString(freeRunName(document_.study()));
     QStringList shown;
     for (int i = 0; i < recording_->count(); ++i) shown << recording_->itemText(i);
     if (names != shown) {

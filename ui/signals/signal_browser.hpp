@@ -47,6 +47,7 @@ private:
     QTreeView* tree_;
     QLabel *count_, *fault_;
     QToolButton *show_, *add_;
+    bool isSimulated_{};  // the model by itself, beside its recordings
 };
 
 }  // namespace analogon::ui

@@ -4,6 +4,7 @@
 
 #include "core/measure/channel.hpp"
 #include "core/signal/formula.hpp"
+#include "core/study/free_run.hpp"
 #include "core/study/recorded.hpp"
 #include "core/study/variable_values.hpp"
 #include "ui/document/document.hpp"
@@ -172,7 +173,9 @@ void SignalValues::startSimulation() {
     simulator_.start<Outcome<VariableValues>>(
         tr("Simulating %1").arg(recording),
         [study = document_.study(), recording = recording.toStdString(), names](const Progress& progress) {
-            return variableValues(study, recording, names, progress);
+            const bool isFree = recording == freeRunName(study);
+            return isFree ? freeVariableValues(study, {}, names, progress)
+                          : variableValues(study, recording, names, progress);
         },
         [this, recording = recording, names](Outcome<VariableValues> result) {
             const auto time = result ? shared(std::move(result->time)) : nullptr;

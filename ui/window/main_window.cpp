@@ -270,6 +270,13 @@ void MainWindow::createActions() {
     undoAction_->setObjectName("undo");
     redoAction_->setObjectName("redo");
     redoAction_->setShortcuts({Qt::CTRL | Qt::SHIFT | Qt::Key_Z, Qt::CTRL | Qt::Key_Y});
+    simulateAction_ = make(tr("Simulate"), "simulate", Qt::Key_F4,
+                           tr("Simulate the model: over its recordings, and by itself where sources drive it"));
+    simulateAction_->setObjectName("simulate");
+    practiceAction_ = make(tr("Record as measurement …"), {}, {},
+                           tr("Make a recording to practise on from the simulation, with noise"));
+    practiceAction_->setObjectName("practice");
+    connect(practiceAction_, &QAction::triggered, this, &MainWindow::askForPractice);
     fitAction_ = make(tr("Fit"), "fit", Qt::Key_F5, tr("Estimate the checked parameters"));
     fitAction_->setObjectName("fit");
     discoverAction_ =
@@ -300,14 +307,13 @@ void MainWindow::createActions() {
     connect(importAction_, &QAction::triggered, this, &MainWindow::askForMeasurement);
     connect(reportAction_, &QAction::triggered, this, &MainWindow::askWhereToReport);
     connect(quitAction_, &QAction::triggered, this, &QWidget::close);
-    connect(fitAction_, &QAction::triggered, this, [this] {
-        settle();
-        controller_->start(RunKind::Fit);
-    });
-    connect(discoverAction_, &QAction::triggered, this, [this] {
-        settle();
-        controller_->start(RunKind::Discover);
-    });
+    for (const auto& [action, kind] :
+         {std::pair(simulateAction_, RunKind::Simulate), std::pair(fitAction_, RunKind::Fit),
+          std::pair(discoverAction_, RunKind::Discover)})
+        connect(action, &QAction::triggered, this, [this, kind = kind] {
+            settle();
+            controller_->start(kind);
+        });
     connect(fitViewAction_, &QAction::triggered, view_, &DiagramView::fitView);
     connect(textBesideAction_, &QAction::toggled, this, &MainWindow::setTextBeside);
     textBesideAction_->setChecked(settings_.value("window/text-beside").toBool());
@@ -330,7 +336,9 @@ void MainWindow::createMenus() {
     edit->addSeparator();
     compose_->fill(*edit);
     QMenu* run = menuBar()->addMenu(tr("&Run"));
-    run->addActions({fitAction_, discoverAction_});
+    run->addActions({simulateAction_, fitAction_, discoverAction_});
+    run->addSeparator();
+    run->addAction(practiceAction_);
     run->setToolTipsVisible(true);  // they say what a run waits for
     QMenu* view = menuBar()->addMenu(tr("&View"));
     view->addActions({fitViewAction_, textBesideAction_, recordingsAction_});
@@ -922,6 +930,8 @@ void MainWindow::updateActions() {
         action->setEnabled(!isBusy && why.isEmpty());
         action->setToolTip(why.isEmpty() ? *tip : *tip + "\n" + why);
     }
+    simulateAction_->setEnabled(document_->isOpen() && !isBusy);
+    practiceAction_->setEnabled(document_->isOpen() && document_->isSimulated() && !isBusy);
     whyNoRunAction_->setEnabled(!why.isEmpty());
     whyNoRun_->setVisible(document_->isOpen() && document_->modelError());
     const bool isOpenYet = document_->modelError() && isUnfinished(*document_->modelError());

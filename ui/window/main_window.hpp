@@ -130,6 +130,7 @@ private:
     void showComparison(const QString& signal, const QString& experiment);
     void leaveComparison();
     void connectRecordings();
+    void askForPractice();
     void showRecordings();
     void leaveRecordings();
     void settle();
@@ -191,7 +192,8 @@ private:
     QAction *newAction_{}, *generateAction_{}, *openAction_{}, *openFileAction_{}, *saveAction_{}, *saveAsAction_{},
         *importAction_{}, *reportAction_{}, *exportTracesAction_{}, *exportMf4Action_{}, *quitAction_{};
     QAction *textBesideAction_{}, *recordingsAction_{};
-    QAction *undoAction_{}, *redoAction_{}, *fitAction_{}, *discoverAction_{}, *fitViewAction_{}, *whyNoRunAction_{};
+    QAction *undoAction_{}, *redoAction_{}, *simulateAction_{}, *practiceAction_{}, *fitAction_{}, *discoverAction_{},
+        *fitViewAction_{}, *whyNoRunAction_{};
     QString fitTip_, discoverTip_;
     QToolButton* whyNoRun_{};
 };

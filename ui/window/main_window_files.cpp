@@ -24,6 +24,7 @@
 #include "ui/measurement/import_panel.hpp"
 #include "ui/measurement/locate.hpp"
 #include "ui/measurement/measurement_panel.hpp"
+#include "ui/measurement/practice_dialog.hpp"
 #include "ui/measurement/recordings_page.hpp"
 #include "ui/measurement/values_page.hpp"
 #include "ui/plot/plot_panel.hpp"
@@ -228,6 +229,18 @@ void MainWindow::leaveRecordings() {
     if (tab < 0) return;
     centre_->removeTab(tab);
     showDiagram();
+}
+
+void MainWindow::askForPractice() {
+    auto* dialog = new PracticeDialog(*document_, settings_.value(folderKey).toString(), this);
+    connect(dialog, &PracticeDialog::recorded, this, [this](const QString& experiment, const QString& file) {
+        settings_.setValue(folderKey, QFileInfo(file).absolutePath());
+        statusBar()->showMessage(tr("Recorded to %1.").arg(file), 8000);
+        measurementDock_->show();
+        measurementDock_->raise();
+        plots_->showExperiment(experiment);
+    });
+    dialog->show();
 }
 
 void MainWindow::askForStudy(bool isDirectory) {
