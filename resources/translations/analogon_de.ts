@@ -260,6 +260,14 @@
         <source>New name of the model</source>
         <translation>Neuer Name des Modells</translation>
     </message>
+    <message>
+        <source>Equal gaps in a row</source>
+        <translation>Gleiche Abstände in einer Zeile</translation>
+    </message>
+    <message>
+        <source>Equal gaps in a column</source>
+        <translation>Gleiche Abstände in einer Spalte</translation>
+    </message>
 </context>
 <context>
     <name>Composer</name>
@@ -390,6 +398,10 @@
     <message>
         <source>Flip upside down</source>
         <translation>Senkrecht spiegeln</translation>
+    </message>
+    <message>
+        <source>Distribute</source>
+        <translation>Verteilen</translation>
     </message>
     <message>
         <source>Align</source>
@@ -4349,6 +4361,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>Recorded to %1.</source>
         <translation>Aufgezeichnet in %1.</translation>
+    </message>
+    <message>
+        <source>Open the report</source>
+        <translation>Bericht öffnen</translation>
     </message>
 </context>
 <context>

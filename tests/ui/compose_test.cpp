@@ -43,6 +43,7 @@
 #include "ui/measurement/import_panel.hpp"
 #include "ui/measurement/measurement_panel.hpp"
 #include "ui/measurement/table_model.hpp"
+#include "ui/route/route.hpp"
 #include "ui/style/style.hpp"
 #include "ui/text/text_view.hpp"
 #include "ui/window/breadcrumb.hpp"
@@ -455,6 +456,39 @@ TEST_F(Compose, AlignsASelectionInOneStep) {
     EXPECT_NE(document().modelText(), start);
     document().undoStack().undo();
     EXPECT_EQ(document().modelText(), start) << "one step";
+}
+
+TEST_F(Compose, SpreadsASelectionAtEqualGapsInOneStep) {
+    startNew();
+    for (const Point at : {Point{-60, 20}, Point{-30, 0}, Point{60, -40}}) drag("Analogon.Thermal.HeatCapacitor", at);
+    const QString start = document().modelText();
+    dragOnDiagram(pixel({-95, 80}), pixel({95, -90}));  // rubber band over all
+    ASSERT_EQ(panel<DiagramScene>()->selection().blocks.size(), 3u);
+    const auto trigger = [this](const QString& text) {
+        for (QAction* action : window.findChildren<QAction*>())
+            if (action->text() == text && action->isEnabled()) return action->trigger();
+        ADD_FAILURE() << text.toStdString();
+    };
+    const auto boxes = [this](bool isAcross) {
+        std::vector<std::pair<double, double>> spans;
+        for (const Block& block : document().diagram().blocks) {
+            const auto [low, high] = boxOf(block.placement);
+            spans.emplace_back(isAcross ? low.x : low.y, isAcross ? high.x : high.y);
+        }
+        std::sort(spans.begin(), spans.end());
+        return spans;
+    };
+    for (const bool isAcross : {true, false}) {
+        const auto before = boxes(isAcross);
+        trigger(isAcross ? "Equal gaps in a row" : "Equal gaps in a column");
+        const auto after = boxes(isAcross);
+        EXPECT_EQ(after.front(), before.front()) << "the outermost stay";
+        EXPECT_EQ(after.back(), before.back());
+        EXPECT_NE(after[1], before[1]);
+        EXPECT_NEAR(after[1].first - after[0].second, after[2].first - after[1].second, 1);
+    }
+    for (int i = 0; i < 2; ++i) document().undoStack().undo();
+    EXPECT_EQ(document().modelText(), start) << "one step each";
 }
 
 /// The lambda sensor with its heater and element as one block: the same equations, so the same traces.

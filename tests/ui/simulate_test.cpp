@@ -1,8 +1,10 @@
 #include <QAction>
+#include <QDesktopServices>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTableWidget>
+#include <QTextBrowser>
 #include <QToolButton>
 #include <QTreeView>
 #include <QTreeWidget>
@@ -15,8 +17,10 @@
 #include "ui/signals/signal_browser.hpp"
 #include "ui/signals/signal_values.hpp"
 #include "ui/style/style.hpp"
+#include "ui/style/translator.hpp"
 
 namespace analogon::ui {
+
 namespace {
 
 /// A study without a recording.
@@ -200,6 +204,71 @@ TEST_F(Simulate, OverwritesNoFile) {
     EXPECT_TRUE(dialog->faultLabel()->text().contains("already"));
     QTest::keyClick(dialog, Qt::Key_Escape);
     EXPECT_FALSE(dialog->isVisible());
+}
+
+TEST_F(Simulate, AReportThatIsWrittenIsOpenedFromTheStatusLine) {
+    openLambda();
+    run(RunKind::Fit);
+    window.writeReport(directory.filePath("report"));
+    QToolButton* open = nullptr;
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return (open = window.findChild<QToolButton*>("open-report")) && open->isVisible(); }, 60000));
+    QTextBrowser reader;  // in place of the program that the desktop would open it with
+    QDesktopServices::setUrlHandler("file", &reader, "setSource");
+    QTest::mouseClick(open, Qt::LeftButton);
+    QDesktopServices::unsetUrlHandler("file");
+    EXPECT_EQ(reader.source().toLocalFile(), directory.filePath("report/report.html"));
+    EXPECT_TRUE(QFileInfo::exists(reader.source().toLocalFile()));
+    window.grab().save(QStringLiteral(ANALOGON_PICTURES) + "/report-open.png");
+    window.startNew();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !open->isVisible(); }, 20000)) << "it belongs to the study before";
+}
+
+/// The runs and the dialog as a German user sees them on a small dark screen.
+TEST(SimulatePictures, HaveRoomForEveryWord) {
+    Translator german;
+    if (german.loadLanguage("de")) QCoreApplication::installTranslator(&german);
+    style::apply(*qApp, style::Theme::Dark);
+    {
+        MainWindow window;
+        window.resize(1024, 700);
+        window.show();
+        Study study;
+        study.name = "chirp";
+        study.className = "M";
+        study.models["model.mo"] = R"(model M
+  Analogon.Sources.Chirp chirp(f1=0.5, f2=4, duration=8) annotation (Placement(transformation(extent={{-80,-10},{-60,10}})));
+  Analogon.Sources.Pulse pulse(period=2, width=30) annotation (Placement(transformation(extent={{-80,30},{-60,50}})));
+  Analogon.Sources.Trapezoid trapezoid annotation (Placement(transformation(extent={{-80,-50},{-60,-30}})));
+  Analogon.Sources.Ramp ramp annotation (Placement(transformation(extent={{-30,30},{-10,50}})));
+  Analogon.Sources.Sine sine annotation (Placement(transformation(extent={{-30,-50},{-10,-30}})));
+  Analogon.Sources.TimeTable table annotation (Placement(transformation(extent={{20,30},{40,50}})));
+  Analogon.Signals.FirstOrder lag(T=0.1) annotation (Placement(transformation(extent={{-30,-10},{-10,10}})));
+  Analogon.Interfaces.RealOutput y annotation (Placement(transformation(extent={{20,-10},{40,10}})));
+equation
+  connect(chirp.y, lag.u);
+  connect(lag.y, y);
+  annotation (experiment(StopTime=10));
+end M;
+)";
+        window.document().startWith(study);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return window.document().isOpen(); }, 20000));
+        QTest::keyClick(&window, Qt::Key_F4);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return window.document().history().size() == 1; }, 20000));
+        QTest::qWait(300);
+        EXPECT_TRUE(window.findChild<QLineEdit*>("stop-time")->isVisible()) << "the list of runs stays in sight";
+        window.grab().save(QStringLiteral(ANALOGON_PICTURES) + "/simulate-dark-de.png");
+        window.findChild<QAction*>("practice")->trigger();
+        auto* const dialog = window.findChild<PracticeDialog*>();
+        ASSERT_TRUE(dialog);
+        QTest::qWait(100);
+        dialog->grab().save(QStringLiteral(ANALOGON_PICTURES) + "/practice-dark-de.png");
+        EXPECT_EQ(dialog->windowTitle(), "Als Messung aufzeichnen");
+        for (const QPushButton* button : dialog->findChildren<QPushButton*>())
+            EXPECT_GE(button->width(), button->sizeHint().width());
+    }
+    style::apply(*qApp, style::Theme::Light);
+    QCoreApplication::removeTranslator(&german);
 }
 
 TEST_F(Simulate, OfAStudyWithRecordingsRunsOverThese) {

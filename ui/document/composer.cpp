@@ -26,19 +26,6 @@ QString qString(const std::string& text) { return QString::fromStdString(text); 
 
 double snapped(double value) { return std::round(value / grid) * grid; }
 
-Placement shifted(Placement p, double dx, double dy) {
-    if (p.origin == Point{}) {
-        for (Point* corner : {&p.extent.p1, &p.extent.p2}) {
-            corner->x += dx;
-            corner->y += dy;
-        }
-    } else {
-        p.origin.x += dx;
-        p.origin.y += dy;
-    }
-    return p;
-}
-
 /// With its centre as origin, about which it turns.
 Placement centred(const Placement& p) {
     const auto [low, high] = boxOf(p);
@@ -428,44 +415,6 @@ bool Composer::flip(const std::vector<std::string>& blocks, bool isHorizontal) {
             placements.emplace_back(name, plain(p));
         }
     return place(placements, isHorizontal ? tr("Flip left to right") : tr("Flip upside down"));
-}
-
-bool Composer::align(const std::vector<std::string>& blocks, Edge edge) {
-    if (!isReady() || blocks.size() < 2) return false;
-    const Block* first = document_.diagram().find(blocks.front());
-    if (!first) return false;
-    const auto place0 = [edge](const std::pair<Point, Point>& box) {
-        switch (edge) {
-            case Edge::Left:
-                return box.first.x;
-            case Edge::Right:
-                return box.second.x;
-            case Edge::Top:
-                return box.second.y;
-            case Edge::Bottom:
-                return box.first.y;
-            case Edge::Middle:
-                return (box.first.y + box.second.y) / 2;
-            case Edge::Centre:
-                break;
-        }
-        return (box.first.x + box.second.x) / 2;
-    };
-    const bool isAcross = edge == Edge::Left || edge == Edge::Right || edge == Edge::Centre;
-    double target = place0(boxOf(first->placement));
-    for (const std::string& name : blocks)
-        if (const Block* block = document_.diagram().find(name)) {
-            const double at = place0(boxOf(block->placement));
-            if (edge == Edge::Left || edge == Edge::Bottom) target = std::min(target, at);
-            if (edge == Edge::Right || edge == Edge::Top) target = std::max(target, at);
-        }
-    std::vector<std::pair<std::string, Placement>> placements;
-    for (const std::string& name : blocks)
-        if (const Block* block = document_.diagram().find(name)) {
-            const double by = target - place0(boxOf(block->placement));
-            if (by != 0) placements.emplace_back(name, shifted(block->placement, isAcross ? by : 0, isAcross ? 0 : by));
-        }
-    return place(placements, tr("Align"));
 }
 
 bool Composer::rename(const std::string& block, const std::string& name) {

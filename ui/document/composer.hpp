@@ -40,6 +40,8 @@ public:
     bool rotate(const std::vector<std::string>& blocks);
     bool flip(const std::vector<std::string>& blocks, bool isHorizontal);
     bool align(const std::vector<std::string>& blocks, Edge edge);
+    /// Three or more at equal gaps, from left to right (`isAcross`) or from bottom to top.
+    bool distribute(const std::vector<std::string>& blocks, bool isAcross);
     bool rename(const std::string& block, const std::string& name);
     /// Modelica text: declarations and the connections between them.
     std::string copy(const std::vector<std::string>& blocks) const;
@@ -76,6 +78,9 @@ private:
 
 /// A name for a new component: "electricThermal" for BasicElectricThermal, "u" for an input.
 std::string baseName(const std::string& className);
+
+/// The same placement elsewhere.
+Placement shifted(Placement p, double dx, double dy);
 
 bool isModelicaName(const std::string& name);
 

@@ -146,7 +146,8 @@ void PracticeDialog::fill(const QString& folder) {
     noise_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     noise_->setSelectionMode(QAbstractItemView::SingleSelection);
     const QString beside = document_.path().isEmpty() ? QString() : QFileInfo(document_.path()).absolutePath();
-    file_->setText(freeFile(!folder.isEmpty() ? folder : !beside.isEmpty() ? beside : QDir::homePath()));
+    const bool isThere = !folder.isEmpty() && QFileInfo(folder).isDir();
+    file_->setText(freeFile(isThere ? folder : !beside.isEmpty() ? beside : QDir::homePath()));
     const std::string name = freeRunName(document_.study());
     if (run_)
         for (const ExperimentState& e : run_->experiments)
@@ -217,7 +218,7 @@ void PracticeDialog::check() {
         options(why);
     fault_->setText(why.isEmpty() ? tr("The file becomes a recording of the study, to fit from.") : why);
     QPalette colours = palette();
-    if (!why.isEmpty()) colours.setColor(QPalette::WindowText, style::fault(colours));
+    if (!why.isEmpty()) colours.setColor(fault_->foregroundRole(), style::fault(colours));
     fault_->setPalette(colours);
     record_->setEnabled(why.isEmpty() && !writer_.isBusy());
 }

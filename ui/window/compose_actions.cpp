@@ -62,6 +62,12 @@ ComposeActions::ComposeActions(Document& document, DiagramScene& scene, DiagramV
         connect(action, &QAction::triggered, this, [this, e = edge] { report(composer_->align(blocks(), e)); });
         align_.push_back(action);
     }
+    for (const bool isAcross : {true, false}) {
+        auto* action = new QAction(isAcross ? tr("Equal gaps in a row") : tr("Equal gaps in a column"), this);
+        connect(action, &QAction::triggered, this,
+                [this, isAcross] { report(composer_->distribute(blocks(), isAcross)); });
+        distribute_.push_back(action);
+    }
     connectGestures();
     update();
 }
@@ -152,6 +158,7 @@ void ComposeActions::update() {
     rename_->setEnabled(selected.blocks.size() == 1);
     wire_->setEnabled(hasBlocks);
     for (QAction* a : align_) a->setEnabled(selected.blocks.size() > 1);
+    for (QAction* a : distribute_) a->setEnabled(selected.blocks.size() > 2);
 }
 
 void ComposeActions::fill(QMenu& menu) const {
@@ -166,6 +173,8 @@ void ComposeActions::fill(QMenu& menu) const {
     menu.addActions({rotate_, flipH_, flipV_});
     QMenu* align = menu.addMenu(tr("Align"));
     for (QAction* a : align_) align->addAction(a);
+    align->addSeparator();
+    for (QAction* a : distribute_) align->addAction(a);
 }
 
 /// Shows a block that was placed; without a name, why there is none.

@@ -474,7 +474,7 @@ void MainWindow::connectPanels() {
         showEffects();
         view_->refitIfHidden();
         updateActions();
-        if (document_->finding()) resultDock_->raise();
+        if (document_->finding() && document_->resultKind() != RunKind::Simulate) resultDock_->raise();
         const bool hasError = std::any_of(document_->messages().begin(), document_->messages().end(),
                                           [](const Message& m) { return m.diagnostic.severity == Severity::Error; });
         if (!hasError && (document_->before() || document_->after())) plotDock_->raise();

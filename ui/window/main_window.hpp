@@ -140,6 +140,7 @@ private:
     void showRecent();
     QList<QDockWidget*> docks() const;
     void askWhereToReport();
+    void offerReport(const QString& file);
     void askWhereToExport(ExportFormat format);
     void setTheme(int theme);
 
@@ -195,7 +196,7 @@ private:
     QAction *undoAction_{}, *redoAction_{}, *simulateAction_{}, *practiceAction_{}, *fitAction_{}, *discoverAction_{},
         *fitViewAction_{}, *whyNoRunAction_{};
     QString fitTip_, discoverTip_;
-    QToolButton* whyNoRun_{};
+    QToolButton *whyNoRun_{}, *openReport_{};
 };
 
 }  // namespace analogon::ui

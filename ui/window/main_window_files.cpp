@@ -1,4 +1,5 @@
 #include <QApplication>
+#include <QDesktopServices>
 #include <QDir>
 #include <QDockWidget>
 #include <QDropEvent>
@@ -11,6 +12,7 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabWidget>
+#include <QToolButton>
 #include <QUrl>
 #include <algorithm>
 
@@ -28,6 +30,7 @@
 #include "ui/measurement/recordings_page.hpp"
 #include "ui/measurement/values_page.hpp"
 #include "ui/plot/plot_panel.hpp"
+#include "ui/style/style.hpp"
 #include "ui/window/generate_page.hpp"
 #include "ui/window/main_window.hpp"
 #include "ui/window/start_page.hpp"
@@ -288,6 +291,7 @@ void MainWindow::writeReport(const QString& path) {
             [this, path](Outcome<bool> isOnPaper) {
                 document_->setRunMessages(isOnPaper.diagnostics());
                 if (!isOnPaper) return statusBar()->showMessage(tr("No report written: see the messages."));
+                offerReport(QDir(path).filePath("report.html"));
                 statusBar()->showMessage(
                     (*isOnPaper ? tr("Report written to %1/report.html.")
                                 : tr("Report written to %1/report.html, but no report.pdf: see the messages."))
@@ -295,6 +299,25 @@ void MainWindow::writeReport(const QString& path) {
             });
     };
     plots_->takePictures(write);
+}
+
+/// The report that was written last, until another study is opened.
+void MainWindow::offerReport(const QString& file) {
+    if (!openReport_) {
+        openReport_ = new QToolButton(this);
+        openReport_->setObjectName("open-report");
+        openReport_->setText(tr("Open the report"));
+        openReport_->setIcon(style::icon("report"));
+        openReport_->setAutoRaise(true);
+        openReport_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        openReport_->setFixedHeight(fontMetrics().height() + 2);  // the bar keeps its height
+        statusBar()->addPermanentWidget(openReport_);
+        connect(openReport_, &QToolButton::clicked, this,
+                [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(openReport_->toolTip())); });
+        connect(document_, &Document::opened, openReport_, &QWidget::hide);
+    }
+    openReport_->setToolTip(file);
+    openReport_->show();
 }
 
 void MainWindow::askWhereToExport(ExportFormat format) {
