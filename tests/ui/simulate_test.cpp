@@ -9,6 +9,7 @@
 #include <QTreeView>
 #include <QTreeWidget>
 
+#include "core/report/words.hpp"
 #include "core/study/free_run.hpp"
 #include "tests/ui/panels_fixture.hpp"
 #include "ui/fit/fit_panel.hpp"
@@ -185,6 +186,18 @@ TEST_F(Simulate, BecomesARecordingToPractiseOnInOneStep) {
         },
         20000));
     EXPECT_NEAR(document().before()->experiments.back().outputs.front().figures.rmse, 0.05, 0.006);
+
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    simulate();  // over the recording, too
+    ASSERT_TRUE(document().after());
+    EXPECT_EQ(document().after()->experiments.size(), 2u);
+    const double error = errorPercent(*document().after(), Role::Fit);
+    EXPECT_TRUE(error > 1 && error < 6) << error;
+    window.writeReport(directory.filePath("report"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return QFileInfo::exists(directory.filePath("report/report.pdf")); }, 60000))
+        << messages().toStdString();
+    EXPECT_TRUE(QFileInfo::exists(directory.filePath("report/report.html")));
     document().undoStack().undo();
     EXPECT_TRUE(document().study().experiments.empty());
     EXPECT_TRUE(QFileInfo::exists(file));

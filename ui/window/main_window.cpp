@@ -436,6 +436,9 @@ void MainWindow::createToolBar() {
         if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(a)))
             button->setToolButtonStyle(Qt::ToolButtonIconOnly);
     bar->addSeparator();
+    bar->addAction(simulateAction_);
+    if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(simulateAction_)))
+        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
     bar->addAction(fitAction_);
     bar->addAction(discoverAction_);
     bar->addSeparator();
