@@ -44,6 +44,7 @@ void prepare(LineVector& scratch, const CompiledProgram& program) {
 /// The programs of a system, and the observation program that is made when somebody asks for it.
 struct System::Impl {
     SystemPrograms programs;
+    std::shared_ptr<const EventParts> events;  // null: none of its own
     mutable std::once_flag observeOnce;
     mutable Observation observation;
 
@@ -115,13 +116,19 @@ struct System::Impl {
 System::System(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 System::~System() = default;
 
-Outcome<std::shared_ptr<const System>> System::build(const Structure& structure) {
+Outcome<std::shared_ptr<const System>> System::build(const Structure& structure) { return build(structure, nullptr); }
+
+Outcome<std::shared_ptr<const System>> System::build(const Structure& structure,
+                                                     std::shared_ptr<const EventParts> events) {
     return guardedOutcome([&]() -> Outcome<std::shared_ptr<const System>> {
         auto impl = std::make_unique<Impl>();
         if (Diagnostics faults = buildPrograms(structure, impl->programs); hasError(faults)) return faults;
+        impl->events = std::move(events);
         return std::shared_ptr<const System>(new System(std::move(impl)));
     });
 }
+
+const EventParts* System::events() const { return impl_->events.get(); }
 
 int System::stateCount() const { return static_cast<int>(impl_->programs.states.size()); }
 int System::inputCount() const { return static_cast<int>(impl_->programs.inputs.size()); }
@@ -141,9 +148,10 @@ bool System::isDifferentiated(int input) const {
     const auto i = static_cast<std::size_t>(input);
     return i < differentiated.size() && differentiated[i] != 0;
 }
-bool System::isLinearTimeInvariant() const { return impl_->programs.isLinearTimeInvariant; }
+bool System::isLinearTimeInvariant() const { return impl_->programs.isLinearTimeInvariant && !impl_->events; }
 const StatePattern* System::statePattern() const { return impl_->statePattern(); }
 bool System::isSmooth() const {
+    if (impl_->events) return false;
     const auto isPlain = [](const Instruction& i) {
         switch (i.opcode) {
             case Opcode::LoadConstant:

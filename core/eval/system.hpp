@@ -13,6 +13,7 @@
 namespace analogon {
 
 struct CCode;
+struct EventParts;
 struct StatePattern;
 
 /// A named quantity of the compiled system.
@@ -85,6 +86,12 @@ class System {
 public:
     /// Lowers a structure to a program.
     static Outcome<std::shared_ptr<const System>> build(const Structure& structure);
+    /// Of a model with events: `structure` is of HybridModel::outside, `events` are what runs in its place. Its own
+    /// programs serve for names and sizes alone.
+    static Outcome<std::shared_ptr<const System>> build(const Structure& structure,
+                                                        std::shared_ptr<const EventParts> events);
+    /// Null: nothing but relations makes events.
+    const EventParts* events() const;
 
     int stateCount() const;
     int inputCount() const;  // sampled inputs

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/eval/event_parts.hpp"
 #include "core/fit/clock.hpp"
 #include "core/flat/messages.hpp"
 #include "core/flat/parameter_change.hpp"
@@ -79,6 +80,13 @@ Outcome<CompiledTask> compiled(const EstimationTask& task, const std::vector<std
     std::vector<std::string> symbolic = keep;
     for (const std::string& name : keep)
         if (model->find(toldOf(name)).valid()) symbolic.push_back(toldOf(name));
+    if (!model->events.refusals.empty()) {  // it has events of its own: when, pre, sample
+        Structure seen;
+        Outcome<SystemPtr> system = buildWithEvents(*model, symbolic, seen);
+        if (!system) return system.diagnostics();
+        Diagnostics remarks = seen.warnings;
+        return {CompiledTask{seen.model, std::move(seen), std::move(*system)}, std::move(remarks)};
+    }
     Outcome<Structure> structure = analyse(model, {symbolic});
     if (!structure) return structure.diagnostics();
     Outcome<SystemPtr> system = System::build(*structure);

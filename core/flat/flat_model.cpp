@@ -12,6 +12,14 @@ VariableId FlatModel::find(std::string_view variableName) const {
     return found == byName.end() ? VariableId{} : found->second;
 }
 
+bool FlatModel::isInput(VariableId id) const {
+    if (variables[id.value].causality != FlatCausality::Input) return false;
+    const auto isIt = [&](VariableId other) { return other.valid() && other.value == id.value; };
+    return !isIt(events.initial) && !isIt(events.terminal) &&
+           std::none_of(events.pres.begin(), events.pres.end(), [&](const auto& pre) { return isIt(pre.first); }) &&
+           std::none_of(events.samples.begin(), events.samples.end(), [&](const auto& s) { return isIt(s.flag); });
+}
+
 std::string FlatModel::unitOf(const FlatVariable& variable) const {
     if (!variable.unit.empty()) return variable.unit;
     if (const ConnectionSet* set = connectionOf(variable.name))

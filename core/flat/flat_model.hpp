@@ -120,6 +120,9 @@ struct FlatModel {
     const FlatVariable& operator[](VariableId id) const { return variables[id.value]; }
     /// Invalid when unknown.
     VariableId find(std::string_view name) const;
+    /// Whether something outside sets it. What the equations say of events (pre(x), initial()) comes from the
+    /// simulation.
+    bool isInput(VariableId id) const;
     /// Value of a parameter or constant with all bindings followed; empty when it has none (or a cycle).
     std::optional<double> parameterValue(VariableId id) const;
     /// Unit of a variable; of what it is connected to where it was declared without one.

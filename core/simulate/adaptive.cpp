@@ -24,21 +24,6 @@ namespace analogon {
 
 namespace {
 
-/// Sensitivities as an array of vectors, one per direction.
-class VectorArray {
-public:
-    VectorArray(N_Vector like, int count) : array_(N_VCloneVectorArray(count, like)), count_(count) {}
-    ~VectorArray() { N_VDestroyVectorArray(array_, count_); }
-    VectorArray(const VectorArray&) = delete;
-    VectorArray& operator=(const VectorArray&) = delete;
-    N_Vector* get() const { return array_; }
-    double* operator[](int k) const { return N_VGetArrayPointer(array_[k]); }
-
-private:
-    N_Vector* array_;
-    int count_;
-};
-
 /// The errors of single steps add up: each may have this part of the tolerance that is asked for the whole.
 constexpr double localShare = 0.05;
 

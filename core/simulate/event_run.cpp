@@ -15,6 +15,7 @@
 #include "core/base/stopwatch.hpp"
 #include "core/eval/rank_deficient.hpp"
 #include "core/simulate/delay_history.hpp"
+#include "core/simulate/recorded_drive.hpp"
 #include "core/simulate/sundials_owner.hpp"
 
 namespace analogon {
@@ -48,12 +49,14 @@ struct Clock {
 class EventRun {
 public:
     EventRun(const HybridModel& model, const System& system, const std::vector<std::string>& names,
-             const EventRunOptions& options, const Progress& progress)
+             const EventRunOptions& options, const Progress& progress, RecordedDrive* drive = nullptr)
         : model_(model),
           system_(system),
           names_(names),
           options_(options),
           progress_(progress),
+          drive_(drive),
+          tangents_(drive ? drive->tangents : nullptr),
           workspace_(system.workspace(0)),
           n_(static_cast<std::size_t>(system.stateCount())),
           slots_(model.starts),
@@ -70,6 +73,11 @@ public:
             if (slot == slotOf.end()) observed.push_back(name);
         }
         handles_ = system.observe(observed);
+        for (const std::string& slot : model.slots) slotAt_.push_back(system.parameterIndex(slot));
+        for (const std::string& reading : model.readings) readingAt_.push_back(system.outputIndex(reading));
+        parameters_.resize(static_cast<std::size_t>(system.parameterCount()));
+        if (drive) parameters_ = drive->parameters;
+        outputs_.resize(static_cast<std::size_t>(system.outputCount()));
         for (const HybridModel::Delay& delay : model.delays) {
             delays_.emplace_back(delay.time);
             delayedInputs_.push_back(system.inputIndex(delay.input));
@@ -85,9 +93,11 @@ public:
         grid_ = 1;
         if (isTerminated_) return std::move(result_);
         while (time_ < options_.stop) {
+            if (drive_) drive_->reached = time_;
             if (!advance(interval)) return faults_;
             if (isTerminated_) break;
         }
+        if (drive_) return takeLastSamples() ? Outcome<EventTrajectory>(std::move(result_)) : faults_;
         if (!isTerminated_ && model_.terminal >= 0) {
             slots_[static_cast<std::size_t>(model_.terminal)] = 1;
             if (!event({})) return faults_;
@@ -133,6 +143,7 @@ private:
     }
 
     Diagnostics fail(Text message, Text hint = {}) {
+        if (drive_) drive_->reached = time_;
         faults_.push_back(numericalError(phrase("at t = {:.6g} s: {}", time_, message), std::move(hint)));
         return faults_;
     }
@@ -146,18 +157,93 @@ private:
     bool takeSlots() {
         if (taken_ == slots_ && !taken_.empty()) return true;
         taken_ = slots_;
-        return system_.setParameters(workspace_, slots_);
+        for (std::size_t s = 0; s < slots_.size(); ++s)
+            if (slotAt_[s] >= 0) parameters_[static_cast<std::size_t>(slotAt_[s])] = slots_[s];
+        return system_.setParameters(workspace_, parameters_);
     }
 
     bool read(double t, const double* x, std::vector<double>& readings) {
         takeDelayed(t);
-        return system_.outputs(workspace_, t, {x, n_}, u_, readings);
+        if (!system_.outputs(workspace_, t, {x, n_}, u_, outputs_)) return false;
+        for (std::size_t r = 0; r < readings.size(); ++r)
+            readings[r] = outputs_[static_cast<std::size_t>(readingAt_[r])];
+        return true;
+    }
+
+    // ------------------------------------------------------------------------------------------------- a recording
+
+    EventPoint point() {
+        inputRates_.assign(u_.size(), 0);
+        if (drive_) drive_->signals.slopes(time_, inputRates_.data());
+        return {time_, {x_.data(), n_}, u_, inputRates_, parameters_, slots_, readings_, values_};
+    }
+
+    bool takeSample() {
+        if (!takeSlots() || !read(time_, x_.data(), readings_)) return hasNoValue(system_.failure(workspace_));
+        if (!drive_->take(static_cast<int>(grid_), point(), workspace_, outputs_))
+            return hasNoValue(system_.failure(workspace_));
+        return true;
+    }
+
+    /// Those at the end, and what a model that ended before would have shown.
+    bool takeLastSamples() {
+        const auto count = static_cast<long>(drive_->signals.time().size());
+        if (isTerminated_ && grid_ + 1 < count) return failed(phrase("the model ends the simulation"));
+        for (; grid_ < count; ++grid_)
+            if (!takeSample()) return false;
+        return true;
+    }
+
+    double gridTime(double interval) const {
+        if (!drive_) return options_.start + static_cast<double>(grid_) * interval;
+        const std::vector<double>& time = drive_->signals.time();
+        return grid_ < static_cast<long>(time.size()) ? time[static_cast<std::size_t>(grid_)] : never;
+    }
+
+    bool isStopped(Text reason, bool isCancelled) {
+        if (drive_) (isCancelled ? drive_->isCancelled : drive_->isTooLong) = true;
+        return failed(std::move(reason));
+    }
+
+    bool hasNoTangent() { return failed(phrase("the sensitivities are not finite")); }
+
+    /// The tangents up to an event; by what it is known.
+    bool beginTangents(const std::set<int>& crossed) {
+        if (!tangents_) return true;
+        if (!takeSlots() || !read(time_, x_.data(), readings_)) return hasNoValue(system_.failure(workspace_));
+        model_.program.run(slots_, readings_, time_, values_);
+        return tangents_->begin(point(), momentOf(crossed)) || hasNoTangent();
+    }
+
+    EventMoment momentOf(const std::set<int>& crossed) const {
+        const auto isNow = [&](double t) { return std::fabs(t - time_) < 1e-12 * std::max(1.0, std::fabs(time_)); };
+        const auto relations = static_cast<int>(model_.relations.size());
+        for (const int k : crossed)
+            return {k < relations ? model_.relations[static_cast<std::size_t>(k)].reading
+                                  : model_.wholes[static_cast<std::size_t>(k - relations) / 2].reading};
+        for (const HybridModel::Relation& r : model_.relations)
+            if (r.isOfTime && isNow(-offsetOf(r.offset) / r.factor)) return {-1, r.offset, r.factor};
+        for (const HybridModel::Whole& w : model_.wholes) {
+            const double value = w.factor * time_ + offsetOf(w.offset);
+            if (w.isOfTime && isNow(time_ + (std::round(value) - value) / w.factor)) return {-1, w.offset, w.factor};
+        }
+        for (std::size_t k = 0; k < pending_.size() && !clockTangents_.empty(); ++k)
+            for (std::size_t c = 0; c < clocks_.size(); ++c)
+                if (model_.samples[c].slot == pending_[k]) {
+                    EventMoment moment;
+                    for (std::size_t j = 0; j < clockTangents_[c].first.size(); ++j)
+                        moment.given.push_back(clockTangents_[c].first[j] +
+                                               (clocks_[c].count - 1) * clockTangents_[c].second[j]);
+                    return moment;
+                }
+        return {};
     }
 
     // ---------------------------------------------------------------------------------------------- delayed signals
 
     /// What arrives at this time. Until the history begins: the signals themselves (takeStarts).
     void takeDelayed(double t) {
+        if (drive_) drive_->signals.at(t, u_.data());
         for (std::size_t d = 0; d < delays_.size(); ++d) {
             const int input = delayedInputs_[d];
             if (input < 0 || delays_[d].isEmpty()) continue;  // nobody reads it
@@ -296,7 +382,8 @@ private:
                 slot = value;
                 if (std::isnan(value) && isRound_ && !isStart) return hasNoValue(changed);
             }
-            if (slots_ == before && isRound_ && !isStart) return true;
+            if (slots_ == before && isRound_ && !isStart)
+                return !tangents_ || isInitial || tangents_->settled(point()) || hasNoTangent();
             if (round > 0 && slots_ != before) {
                 for (std::size_t i = 0; i < slots_.size(); ++i)
                     if (slots_[i] != before[i]) changed = model_.slots[i];
@@ -320,6 +407,7 @@ private:
                 return false;
             }
             x_[static_cast<std::size_t>(state - states.begin())] = values_[static_cast<std::size_t>(r.value)];
+            if (tangents_) tangents_->reset(static_cast<int>(state - states.begin()), r.value);
             isDone = true;
         }
         return true;
@@ -349,6 +437,7 @@ private:
     /// Everything that happens at this time, until pre(z) = z.
     bool event(const std::set<int>& crossed) {
         std::set<int> first = crossed;
+        if (tangents_) tangents_->takeLeftLimits();
         for (const auto& [before, reading] : model_.leftLimits)
             slots_[static_cast<std::size_t>(before)] = readings_[static_cast<std::size_t>(reading)];
         for (int round = 0; round < mostIterations; ++round) {
@@ -372,6 +461,8 @@ private:
                 }
                 old = now;
             }
+            if (tangents_) tangents_->shift();
+            if (tangents_ && !isReset) tangents_->takeLeftLimits();
             for (const auto& [before, reading] : model_.leftLimits)
                 if (!isReset) slots_[static_cast<std::size_t>(before)] = readings_[static_cast<std::size_t>(reading)];
             if (!moved) return true;
@@ -390,6 +481,7 @@ private:
                 slots_[static_cast<std::size_t>(a.slot)] = values_[static_cast<std::size_t>(a.step)];
             if (!settle({}, true)) return false;
         }
+        if (tangents_ && !tangents_->start(point(), true)) return hasNoTangent();
         if (!startClocks()) return false;
         if (model_.initial >= 0) slots_[static_cast<std::size_t>(model_.initial)] = 0;
         for (const auto& [before, of] : model_.pres)
@@ -400,8 +492,10 @@ private:
                 slots_[static_cast<std::size_t>(model_.samples[k].slot)] = 1;
                 ++clocks_[k].count;
             }
-        if (!event({}) || !rememberEvent()) return false;
-        return record();
+        if (tangents_) tangents_->shift();
+        if (!beginTangents({}) || !event({}) || !rememberEvent()) return false;
+        if (tangents_ && !tangents_->end(point())) return hasNoTangent();
+        return drive_ ? takeSample() : record();
     }
 
     // ----------------------------------------------------------------------------------------------- integration
@@ -421,6 +515,8 @@ private:
             }
             clock.count = std::max(0.0, std::ceil((options_.start - clock.start) / clock.interval - 1e-9));
             clocks_.push_back(clock);
+            if (tangents_)
+                clockTangents_.emplace_back(tangents_->ofStep(sample.start), tangents_->ofStep(sample.interval));
         }
         return true;
     }
@@ -481,6 +577,75 @@ private:
                    ? 0
                    : 1;
     }
+    static int tangentRates(int K, double t, N_Vector y, N_Vector, N_Vector* yS, N_Vector* ySdot, void* self,
+                            N_Vector scratch, N_Vector) {
+        auto& run = *static_cast<EventRun*>(self);
+        run.takeDelayed(t);
+        std::vector<double>&dx = run.dx_, &dxdot = run.dxdot_;
+        for (int k = 0; k < K; ++k)
+            for (std::size_t i = 0; i < run.n_; ++i)
+                dx[i * static_cast<std::size_t>(K) + static_cast<std::size_t>(k)] = N_VGetArrayPointer(yS[k])[i];
+        if (run.n_ > 0 && !run.tangents_->rates(t, {N_VGetArrayPointer(y), run.n_}, dx.data(), run.u_,
+                                                {N_VGetArrayPointer(scratch), run.n_}, dxdot.data()))
+            return 1;
+        for (int k = 0; k < K; ++k) {
+            if (run.n_ == 0) N_VGetArrayPointer(ySdot[k])[0] = 0;
+            for (std::size_t i = 0; i < run.n_; ++i)
+                N_VGetArrayPointer(ySdot[k])[i] = dxdot[i * static_cast<std::size_t>(K) + static_cast<std::size_t>(k)];
+        }
+        return 0;
+    }
+
+    /// The sensitivities as they are into the vectors of the integrator, or from where it has come to.
+    void putTangents() {
+        const auto K = static_cast<std::size_t>(tangents_->count());
+        for (std::size_t k = 0; k < K; ++k)
+            for (std::size_t i = 0; i < n_; ++i)
+                (*sensitivities_)[static_cast<int>(k)][i] = tangents_->state()[i * K + k];
+    }
+    bool takeTangents(double t) {
+        if (!tangents_) return true;
+        if (CVodeGetSensDky(cvodes_.get(), t, 0, sensitivities_->get()) != CV_SUCCESS) return hasNoTangent();
+        const auto K = static_cast<std::size_t>(tangents_->count());
+        for (std::size_t k = 0; k < K; ++k)
+            for (std::size_t i = 0; i < n_; ++i)
+                tangents_->state()[i * K + k] = (*sensitivities_)[static_cast<int>(k)][i];
+        return true;
+    }
+
+    bool setUpTangents() {
+        if (!tangents_) return true;
+        void* const memory = cvodes_.get();
+        const int K = tangents_->count();
+        dx_.resize(n_ * static_cast<std::size_t>(K));
+        dxdot_.resize(dx_.size());
+        sensitivities_ = std::make_unique<VectorArray>(y_.get(), K);
+        VectorArray absolute(y_.get(), K);
+        for (int k = 0; k < K; ++k)
+            for (std::size_t i = 0; i < x_.size(); ++i) {
+                (*sensitivities_)[k][i] = 0;
+                absolute[k][i] = N_VGetArrayPointer(absolute_.get())[i] * 300 / scales_[static_cast<std::size_t>(k)];
+            }
+        putTangents();
+        return CVodeSensInit(memory, K, CV_STAGGERED, tangentRates, sensitivities_->get()) == CV_SUCCESS &&
+               CVodeSensSVtolerances(memory, 30 * options_.tolerance, absolute.get()) == CV_SUCCESS &&
+               CVodeSetSensErrCon(memory, SUNTRUE) == CV_SUCCESS;
+    }
+
+    /// How far one goes along each direction until a parameter has doubled.
+    void findScales() {
+        const auto K = static_cast<std::size_t>(tangents_ ? tangents_->count() : 0);
+        scales_.assign(K, 1);
+        for (std::size_t k = 0; k < K; ++k) {
+            double scale = 0;
+            for (std::size_t i = 0; i < parameters_.size(); ++i)
+                if (const double part = std::fabs(tangents_->direction(static_cast<int>(i), static_cast<int>(k)));
+                    part > 0)
+                    scale = std::max(scale, std::fabs(parameters_[i]) / part);
+            if (scale > 0) scales_[k] = scale;
+        }
+    }
+
     static int roots(double t, N_Vector y, double* values, void* self) {
         auto& run = *static_cast<EventRun*>(self);
         if (!run.read(t, N_VGetArrayPointer(y), run.rootReadings_)) return -1;
@@ -503,13 +668,13 @@ private:
         if (!memory) return false;
         CVodeSetErrHandlerFn(
             memory, [](int, const char*, const char*, char*, void*) {}, nullptr);
-        Owned<N_Vector, FreeVector> absolute(N_VClone(y_.get()));
+        absolute_.reset(N_VClone(y_.get()));
         for (std::size_t i = 0; i < x_.size(); ++i) {
             const double nominal = i < n_ ? system_.states()[i].nominal : 1;
-            N_VGetArrayPointer(absolute.get())[i] = localShare * options_.tolerance * nominal * 1e-2;
+            N_VGetArrayPointer(absolute_.get())[i] = localShare * options_.tolerance * nominal * 1e-2;
         }
         bool ok = CVodeInit(memory, rates, time_, y_.get()) == CV_SUCCESS &&
-                  CVodeSVtolerances(memory, localShare * options_.tolerance, absolute.get()) == CV_SUCCESS &&
+                  CVodeSVtolerances(memory, localShare * options_.tolerance, absolute_.get()) == CV_SUCCESS &&
                   CVodeSetUserData(memory, this) == CV_SUCCESS &&
                   CVodeSetLinearSolver(memory, solver_.get(), matrix_.get()) == CV_SUCCESS &&
                   CVodeSetMaxErrTestFails(memory, 20) == CV_SUCCESS && CVodeSetMaxConvFails(memory, 30) == CV_SUCCESS &&
@@ -522,19 +687,24 @@ private:
         double longest = (options_.stop - options_.start) / (rootCount() > 0 ? 500 : 50);
         for (const DelayHistory& delay : delays_) longest = std::min(longest, delay.delay());
         CVodeSetMaxStep(memory, longest);
-        return ok;
+        findScales();
+        return ok && setUpTangents();
     }
 
     bool restart() {
         std::copy(x_.begin(), x_.end(), N_VGetArrayPointer(y_.get()));
-        return CVodeReInit(cvodes_.get(), time_, y_.get()) == CV_SUCCESS;
+        if (CVodeReInit(cvodes_.get(), time_, y_.get()) != CV_SUCCESS) return false;
+        if (!tangents_) return true;
+        putTangents();
+        return CVodeSensReInit(cvodes_.get(), CV_STAGGERED, sensitivities_->get()) == CV_SUCCESS;
     }
 
     /// One step of the integrator, with the grid points within it, and the event at its end if there is one.
     bool advance(double interval) {
-        const double known = nextTimeEvent();
-        const double stop = std::min(known, options_.stop);
-        const bool isKnown = known <= options_.stop + 1e-13 * std::max(1.0, std::fabs(options_.stop));
+        const double kink = drive_ ? drive_->signals.nextStop() : never;
+        const double known = drive_ && drive_->signals.isJumpNext() ? std::min(kink, nextTimeEvent()) : nextTimeEvent();
+        const double stop = std::min({known, kink, options_.stop});
+        const bool isKnown = known <= stop + 1e-13 * std::max(1.0, std::fabs(stop));
         if (!takeSlots()) return hasNoValue(system_.failure(workspace_));
         if (stop <= time_ + 1e-13 * std::max(1.0, std::fabs(time_))) {
             time_ = stop;
@@ -544,8 +714,8 @@ private:
         double reached = time_;
         const int flag = CVode(cvodes_.get(), stop, y_.get(), &reached, CV_ONE_STEP);
         if ((++result_.steps & 63) == 0) {
-            if (progress_.stopRequested()) return failed(phrase("cancelled"));
-            if (secondsSince(began_) > options_.secondsLimit) return failed(phrase("time limit"));
+            if (progress_.stopRequested()) return isStopped(phrase("cancelled"), true);
+            if (secondsSince(began_) > options_.secondsLimit) return isStopped(phrase("time limit"), false);
         }
         if (flag < 0) {
             const std::string variable = system_.failure(workspace_);
@@ -554,16 +724,17 @@ private:
         }
         if (!rememberStep(time_, reached)) return false;
         for (;; ++grid_) {
-            const double t = options_.start + static_cast<double>(grid_) * interval;
+            const double t = gridTime(interval);
             if (t >= reached || t >= options_.stop) break;
             if (CVodeGetDky(cvodes_.get(), t, 0, y_.get()) != CV_SUCCESS) break;
             std::copy_n(N_VGetArrayPointer(y_.get()), x_.size(), x_.begin());
             time_ = t;
-            if (!record()) return false;
+            if (!takeTangents(t) || !(drive_ ? takeSample() : record())) return false;
         }
         CVodeGetDky(cvodes_.get(), reached, 0, y_.get());
         std::copy_n(N_VGetArrayPointer(y_.get()), x_.size(), x_.begin());
         time_ = reached;
+        if (!takeTangents(reached)) return false;
         if (flag == CV_ROOT_RETURN) {
             std::vector<int> found(rootCount());
             CVodeGetRootInfo(cvodes_.get(), found.data());
@@ -580,25 +751,31 @@ private:
     }
 
     bool timeEvent(bool isEvent) {
-        if (!isEvent) return record();
+        const bool isStop = drive_ && drive_->signals.nextStop() <= time_ + 1e-13 * std::max(1.0, std::fabs(time_));
+        if (!isEvent) {
+            if (isStop) drive_->signals.passStop();
+            return record() && (!isStop || restart());
+        }
         for (std::size_t k = 0; k < model_.samples.size(); ++k)
             if (clocks_[k].next() <= time_ + 1e-13 * std::max(1.0, std::fabs(time_))) {
                 pending_.push_back(model_.samples[k].slot);
                 ++clocks_[k].count;
             }
-        return handle({});
+        return handle({}, isStop);
     }
 
-    bool handle(const std::set<int>& crossed) {
+    bool handle(const std::set<int>& crossed, bool isStop = false) {
         if (++result_.events > static_cast<long>(options_.mostEvents))
             return failed(phrase("more than {} events", options_.mostEvents));
-        if (!record()) return false;  // as it was right before
+        if (!record() || !beginTangents(crossed)) return false;  // as it was right before
+        if (isStop) drive_->signals.passStop();
         for (DelayHistory& delay : delays_) delay.arriveUpTo(time_);
         if (!model_.leftLimits.empty() && !read(time_, x_.data(), readings_))
             return hasNoValue(system_.failure(workspace_));
         for (const int slot : pending_) slots_[static_cast<std::size_t>(slot)] = 1;
         pending_.clear();
         if (!event(crossed) || !rememberEvent() || !record()) return false;
+        if (tangents_ && !tangents_->end(point())) return hasNoTangent();
         if (time_ - lastEvent_ < 1e-10 * (options_.stop - options_.start)) {
             if (++crowded_ > 2000) return failed(phrase("events without end"));
         } else {
@@ -609,17 +786,21 @@ private:
         return restart() || failed(phrase("the integrator could not restart"));
     }
 
+    bool checkHere() {
+        if (model_.checks.empty() && model_.subscripts.empty()) return true;
+        if (!read(time_, x_.data(), readings_)) return hasNoValue(system_.failure(workspace_));
+        model_.program.run(slots_, readings_, time_, values_);
+        return check();
+    }
+
     bool record() {
         if (!takeSlots()) return hasNoValue(system_.failure(workspace_));
         takeDelayed(time_);
+        if (drive_) return checkHere();
         std::vector<double> observed(handles_.size());
         if (!system_.observed(workspace_, time_, {x_.data(), n_}, u_, handles_, observed))
             return hasNoValue(system_.failure(workspace_));
-        if (!model_.checks.empty() || !model_.subscripts.empty()) {
-            if (!read(time_, x_.data(), readings_)) return hasNoValue(system_.failure(workspace_));
-            model_.program.run(slots_, readings_, time_, values_);
-            if (!check()) return false;
-        }
+        if (!checkHere()) return false;
         std::vector<double> row(source_.size());
         for (std::size_t i = 0; i < row.size(); ++i)
             row[i] = source_[i].first >= 0 ? slots_[static_cast<std::size_t>(source_[i].first)]
@@ -637,12 +818,17 @@ private:
     const std::vector<std::string>& names_;
     const EventRunOptions& options_;
     const Progress& progress_;
+    RecordedDrive* drive_;     // null: a class by itself
+    EventTangents* tangents_;  // null: none
     Workspace workspace_;
     std::size_t n_;
     std::vector<double> slots_, readings_, rootReadings_, x_, u_, values_, taken_;
     std::vector<std::pair<int, int>> source_;  // by name: slot, or -1 and which of the observed
     std::vector<int> handles_;
-    std::vector<Clock> clocks_;  // by sample
+    std::vector<int> slotAt_, readingAt_;  // parameter, output of the system
+    std::vector<double> parameters_, outputs_, inputRates_, scales_, dx_, dxdot_;
+    std::vector<std::pair<std::vector<double>, std::vector<double>>> clockTangents_;  // of start and interval
+    std::vector<Clock> clocks_;                                                       // by sample
     std::vector<DelayHistory> delays_;
     std::vector<int> delayedInputs_;  // by delay; -1: nobody reads it
     std::size_t lastSwitched_{};      // relation
@@ -658,8 +844,10 @@ private:
     std::chrono::steady_clock::time_point began_;
     Owned<SUNContext, FreeContext> context_;
     Owned<N_Vector, FreeVector> y_;
+    Owned<N_Vector, FreeVector> absolute_;
     Owned<SUNMatrix, FreeMatrix> matrix_;
     Owned<SUNLinearSolver, FreeSolver> solver_;
+    std::unique_ptr<VectorArray> sensitivities_;
     std::unique_ptr<void, FreeCvodes> cvodes_;
 };
 
@@ -669,6 +857,12 @@ Outcome<EventTrajectory> simulateWithEvents(const HybridModel& model, const Syst
                                             const std::vector<std::string>& names, const EventRunOptions& options,
                                             const Progress& progress) {
     return EventRun(model, system, names, options, progress).run();
+}
+
+Outcome<EventTrajectory> simulateRecorded(const HybridModel& model, const System& system, RecordedDrive& drive,
+                                          const EventRunOptions& options, const Progress& progress) {
+    const std::vector<std::string> none;
+    return EventRun(model, system, none, options, progress, &drive).run();
 }
 
 }  // namespace analogon

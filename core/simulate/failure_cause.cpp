@@ -115,7 +115,8 @@ Text causeOf(const SimulationTask& task, const SimulationFailure& failure, const
              const Progress& progress) {
     const bool hasCause =
         failure.failed && (failure.reason == "not finite" || failure.reason.find("convergence") != std::string::npos);
-    if (!hasCause || task.inputs->time.empty() || progress.stopRequested()) return {};
+    if (!failure.cause.empty()) return failure.cause;
+    if (!hasCause || task.system->events() || task.inputs->time.empty() || progress.stopRequested()) return {};
     SimulationTask values = task;
     values.directions.resize(0, 0);
     values.observe.clear();

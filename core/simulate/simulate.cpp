@@ -8,6 +8,7 @@
 #include "core/simulate/all_finite.hpp"
 #include "core/simulate/grid.hpp"
 #include "core/simulate/input_slots.hpp"
+#include "core/simulate/recorded_events.hpp"
 
 namespace analogon {
 
@@ -65,6 +66,14 @@ Trajectory explained(Trajectory trajectory, const Dynamics& dynamics) {
         failure.reason = reasonOf(dynamics);
     }
     return trajectory;
+}
+
+/// A run of a model with events of its own; what it has not reached is open.
+Trajectory withEvents(const SimulationTask& task, const SimulationOptions& options, const Progress& progress) {
+    countWork(12.0 * static_cast<double>(task.inputs->time.size() * (1 + task.directions.cols())));
+    Trajectory run = refused(task, Engine::Adaptive, {}, {});
+    runWithEvents(task, options, progress, run);
+    return run;
 }
 
 /// A model that could not be evaluated at the start.
@@ -144,7 +153,7 @@ bool operator==(const GridPlan& a, const GridPlan& b) {
 
 GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options, const Progress& progress,
                   const GridPlan* inForce, std::optional<Trajectory>* taken) {
-    if (misfit(task)) return {};
+    if (misfit(task) || task.system->events()) return {};
     const StopScope scope(progress.stopToken());
     SimulationTask values = task;
     values.directions.resize(0, 0);
@@ -166,7 +175,7 @@ GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options, 
 
 GridPlan singleSteps(const SimulationTask& task, double errorEstimate, const Progress& progress) {
     GridPlan plan{GridMethod::RungeKutta4, 1, errorEstimate};
-    if (misfit(task)) return plan;
+    if (misfit(task) || task.system->events()) return plan;
     const StopScope scope(progress.stopToken());
     SimulationTask values = task;
     values.directions.resize(0, 0);
@@ -180,6 +189,11 @@ Trajectory simulateGrid(const SimulationTask& task, const GridPlan& plan, const 
                         const Progress& progress, SampleSink* sink) {
     if (const char* reason = misfit(task)) return refused(task, Engine::Grid, {}, reason);
     const StopScope scope(progress.stopToken());
+    if (task.system->events()) {
+        Trajectory run = withEvents(task, options, progress);
+        if (sink) pour(run, static_cast<int>(task.directions.cols()), *sink);
+        return run;
+    }
     SystemDynamics dynamics(task, true);
     if (!dynamics.isReady()) return unready(task, Engine::Grid, dynamics);
     GridRun run;
@@ -201,7 +215,8 @@ Trajectory simulateGrid(const SimulationTask& task, const GridPlan& plan, const 
 
 std::optional<Eigen::MatrixXd> observeAlong(const SimulationTask& task, const Eigen::MatrixXd& states) {
     const auto samples = static_cast<Eigen::Index>(task.inputs->time.size());
-    if (misfit(task) || states.rows() != task.system->stateCount() || states.cols() != samples) return std::nullopt;
+    if (misfit(task) || task.system->events() || states.rows() != task.system->stateCount() || states.cols() != samples)
+        return std::nullopt;
     SystemDynamics dynamics(task, false);
     if (!dynamics.isReady() || !dynamics.shape().delays.empty()) return std::nullopt;
     InputSlots slots(dynamics, *task.inputs);
@@ -219,6 +234,7 @@ std::optional<Eigen::MatrixXd> observeAlong(const SimulationTask& task, const Ei
 Trajectory simulateAdaptive(const SimulationTask& task, const SimulationOptions& options, const Progress& progress) {
     if (const char* reason = misfit(task)) return refused(task, Engine::Adaptive, {}, reason);
     const StopScope scope(progress.stopToken());
+    if (task.system->events()) return withEvents(task, options, progress);
     SystemDynamics dynamics(task, true);
     if (!dynamics.isReady()) return unready(task, Engine::Adaptive, dynamics);
     countWork(12.0 * static_cast<double>(task.inputs->time.size() * (1 + task.directions.cols())));
@@ -226,7 +242,7 @@ Trajectory simulateAdaptive(const SimulationTask& task, const SimulationOptions&
 }
 
 Trajectory simulate(const SimulationTask& task, const SimulationOptions& options, const Progress& progress) {
-    if (options.engine == Engine::Adaptive) return simulateAdaptive(task, options, progress);
+    if (options.engine == Engine::Adaptive || task.system->events()) return simulateAdaptive(task, options, progress);
     const GridPlan plan = planGrid(task, options, progress);
     Trajectory grid = simulateGrid(task, plan, options, progress);
     // Where fixed steps do not get through or stay rough, the adaptive engine may: at a kink in every sample it

@@ -30,4 +30,19 @@ struct FreeCvodes {
 template <class T, class Free>
 using Owned = std::unique_ptr<std::remove_pointer_t<T>, Free>;
 
+/// Vectors of the same kind as another.
+class VectorArray {
+public:
+    VectorArray(N_Vector like, int count) : array_(N_VCloneVectorArray(count, like)), count_(count) {}
+    ~VectorArray() { N_VDestroyVectorArray(array_, count_); }
+    VectorArray(const VectorArray&) = delete;
+    VectorArray& operator=(const VectorArray&) = delete;
+    N_Vector* get() const { return array_; }
+    double* operator[](int k) const { return N_VGetArrayPointer(array_[k]); }
+
+private:
+    N_Vector* array_;
+    int count_;
+};
+
 }  // namespace analogon

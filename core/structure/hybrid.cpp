@@ -21,7 +21,8 @@ bool isRelation(Operation operation) {
 
 class Partition {
 public:
-    explicit Partition(const FlatModel& model) : model_(std::make_shared<FlatModel>(model)) {
+    Partition(const FlatModel& model, Signals signals, const std::vector<std::string>& symbolic)
+        : signals_(signals), symbolic_(symbolic.begin(), symbolic.end()), model_(std::make_shared<FlatModel>(model)) {
         model_->pool = std::make_shared<ExpressionPool>(*model.pool);
         model_->events = {};
         events_ = model.events;
@@ -38,6 +39,7 @@ public:
         buildProgram();
         if (!faults_.empty()) return faults_;
         finish();
+        if (!faults_.empty()) return faults_;
         return std::move(out_);
     }
 
@@ -201,12 +203,32 @@ private:
         return entry->second;
     }
 
-    /// The value of what parameters alone decide.
+    /// Whether a parameter may take other values than the model's own, or follows one that may.
+    bool isOpen(VariableId id) {
+        const auto [entry, isNew] = isOpen_.try_emplace(id.value, false);
+        if (!isNew) return entry->second;
+        const ExpressionId binding = variable(id).binding;
+        const bool result = symbolic_.count(variable(id).name) > 0 || (binding.valid() && speaksOfOpen(binding));
+        return isOpen_[id.value] = result;
+    }
+    bool speaksOfOpen(ExpressionId id) {
+        bool result = false;
+        pool().evaluate(id, [&](const ExpressionNode& leaf) {
+            result =
+                result || (leaf.operation == Variable && !isSlot(leaf.variable) &&
+                           variable(leaf.variable).variability != FlatVariability::Continuous && isOpen(leaf.variable));
+            return 1.0;
+        });
+        return result;
+    }
+
+    /// The value of what parameters alone decide, that stay as they are.
     std::optional<double> number(ExpressionId of) {
         bool isNumber = true;
         const double value = pool().evaluate(of, [&](const ExpressionNode& leaf) {
             const auto known = leaf.operation == Variable && !isSlot(leaf.variable) &&
-                                       variable(leaf.variable).variability != FlatVariability::Continuous
+                                       variable(leaf.variable).variability != FlatVariability::Continuous &&
+                                       !isOpen(leaf.variable)
                                    ? model_->parameterValue(leaf.variable)
                                    : std::nullopt;
             isNumber = isNumber && known;
@@ -411,7 +433,8 @@ private:
             made.slot = slotOf_[node.variable.value];  // known, or set in a circle: as it was before
             return append(made);
         }
-        if (node.operation == Variable && variable(node.variable).variability != FlatVariability::Continuous) {
+        if (node.operation == Variable && variable(node.variable).variability != FlatVariability::Continuous &&
+            !isOpen(node.variable)) {
             const auto value = model_->parameterValue(node.variable);
             if (!value && variable(node.variable).type != FlatType::String)
                 faults_.push_back(error(phrase("The parameter '{}' has no value.", variable(node.variable).name),
@@ -475,15 +498,24 @@ private:
             FlatVariable& v = model_->variables[i];
             if (isSlot({i})) {
                 const double start = v.start.valid() ? startOf(v) : 0;
+                if (v.start.valid() && speaksOfOpen(v.start))
+                    faults_.push_back(
+                        error(phrase("'{}' changes at events alone, and begins with a value that is fitted", v.name),
+                              v.declared, phrase("fit what does not decide how it begins")));
+                if (signals_ == Signals::Kept && v.causality == FlatCausality::Output)
+                    out_.outputs.push_back({v.name, slotOf_[i]});
                 v.variability = FlatVariability::Parameter;
                 v.causality = FlatCausality::Local;
                 v.binding = pool().constant(start);
                 v.start = {};
                 v.min = v.max = std::nullopt;
             } else if (!readings.count(i) && v.causality == FlatCausality::Output) {
-                v.causality = FlatCausality::Local;
+                if (signals_ == Signals::Dropped)
+                    v.causality = FlatCausality::Local;
+                else
+                    out_.outputs.push_back({v.name});
             } else if (v.causality == FlatCausality::Input && v.variability == FlatVariability::Continuous &&
-                       !delayed_.count(i)) {
+                       !delayed_.count(i) && signals_ == Signals::Dropped) {
                 v.causality = FlatCausality::Local;  // nobody drives it: it stays at its start
                 model_->equations.push_back(
                     {pool().variable({i}), pool().constant(v.start.valid() ? startOf(v) : 0), v.declared, {}, false});
@@ -491,6 +523,37 @@ private:
         }
         for (const VariableId id : slotIds_) out_.starts.push_back(pool()[variable(id).binding].value);
         out_.continuous = model_;
+        if (signals_ == Signals::Kept) out_.outside = outside();
+    }
+
+    std::shared_ptr<const FlatModel> outside() {
+        auto seen = std::make_shared<FlatModel>(*model_);
+        out_.outsideSlots = out_.slots;
+        for (const VariableId id : readingIds_) seen->variables[id.value].causality = FlatCausality::Local;
+        for (const std::uint32_t id : delayed_) {
+            FlatVariable& v = seen->variables[id];
+            v.causality = FlatCausality::Local;
+            v.variability = FlatVariability::Parameter;
+            v.binding = pool().constant(0);
+        }
+        for (const HybridModel::Output& output : out_.outputs) {
+            if (output.slot < 0) continue;
+            const auto slot = static_cast<std::size_t>(output.slot);
+            const VariableId id{static_cast<std::uint32_t>(seen->variables.size())};
+            FlatVariable shown = seen->variables[slotIds_[slot].value];
+            out_.outsideSlots[slot] = "$held " + output.name;
+            seen->variables[slotIds_[slot].value].name = out_.outsideSlots[slot];
+            seen->byName[output.name] = id;
+            seen->byName[out_.outsideSlots[slot]] = slotIds_[slot];
+            shown.type = FlatType::Real;
+            shown.variability = FlatVariability::Continuous;
+            shown.causality = FlatCausality::Output;
+            shown.binding = {};
+            seen->variables.push_back(shown);
+            seen->equations.push_back(
+                {pool().variable(id), pool().variable(slotIds_[slot]), shown.declared, {}, false});
+        }
+        return seen;
     }
 
     double startOf(const FlatVariable& v) {
@@ -500,6 +563,9 @@ private:
         return std::isfinite(value) ? value : 0;
     }
 
+    Signals signals_;
+    std::set<std::string> symbolic_;
+    std::map<std::uint32_t, bool> isOpen_;  // by parameter
     std::shared_ptr<FlatModel> model_;
     FlatEvents events_;
     HybridModel out_;
@@ -555,8 +621,72 @@ void DiscreteProgram::run(const std::vector<double>& slots, const std::vector<do
     }
 }
 
-Outcome<HybridModel> partition(const FlatModel& model) {
-    return guardedOutcome([&] { return Partition(model).run(); });
+namespace {
+
+/// How the result of an operation on numbers moves with them: by a small change of both, which is exact to the root of
+/// the rounding; what compares or counts does not move.
+double movementOf(Operation operation, double a, double b, double da, double db) {
+    switch (operation) {
+        case Less:
+        case LessEqual:
+        case Greater:
+        case GreaterEqual:
+        case Equal:
+        case NotEqual:
+        case Not:
+        case And:
+        case Or:
+        case Floor:
+        case Ceil:
+        case Sign:
+        case Div:
+            return 0;
+        default: {
+            if (da == 0 && db == 0) return 0;
+            constexpr double small = 1e-6;
+            const double size = std::max({std::fabs(a), std::fabs(b), 1e-3});
+            const double h = small * size / std::max(std::fabs(da), std::fabs(db));
+            return (apply(operation, a + h * da, b + h * db) - apply(operation, a - h * da, b - h * db)) / (2 * h);
+        }
+    }
+}
+
+}  // namespace
+
+void DiscreteProgram::runTangents(const std::vector<double>& values, const std::vector<double>& slots,
+                                  const std::vector<double>& readings, const std::vector<double>& time,
+                                  std::vector<double>& tangents) const {
+    const std::size_t K = time.size();
+    tangents.assign(steps.size() * K, 0);
+    const auto at = [&](int step) { return step >= 0 ? values[static_cast<std::size_t>(step)] : 0; };
+    const auto of = [&](int step, std::size_t k) {
+        return step >= 0 ? tangents[static_cast<std::size_t>(step) * K + k] : 0;
+    };
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const Step& s = steps[i];
+        for (std::size_t k = 0; k < K; ++k) {
+            double& to = tangents[i * K + k];
+            if (s.operation == Constant)
+                to = 0;
+            else if (s.operation == Variable)
+                to = s.slot >= 0 ? slots[static_cast<std::size_t>(s.slot) * K + k]
+                                 : readings[static_cast<std::size_t>(s.reading) * K + k];
+            else if (s.operation == Time)
+                to = time[k];
+            else if (s.operation == If)
+                to = at(s.a) != 0 ? of(s.b, k) : of(s.c, k);
+            else if (s.operation == Table)
+                to = tables[static_cast<std::size_t>(s.value)].derivative(at(s.a)) * of(s.a, k);
+            else if (s.operation == TableDerivative)
+                to = 0;
+            else
+                to = movementOf(s.operation, at(s.a), at(s.b), of(s.a, k), of(s.b, k));
+        }
+    }
+}
+
+Outcome<HybridModel> partition(const FlatModel& model, Signals signals, const std::vector<std::string>& symbolic) {
+    return guardedOutcome([&] { return Partition(model, signals, symbolic).run(); });
 }
 
 }  // namespace analogon

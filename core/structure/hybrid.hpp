@@ -24,6 +24,11 @@ public:
     /// All steps for these slots, readings and time; `values` is one number a step.
     void run(const std::vector<double>& slots, const std::vector<double>& readings, double time,
              std::vector<double>& values) const;
+    /// How the steps move with slots, readings and time, by the values of all of them: `slots` and `readings` are K
+    /// tangents each, row-major, `time` K. What only jumps does not move.
+    void runTangents(const std::vector<double>& values, const std::vector<double>& slots,
+                     const std::vector<double>& readings, const std::vector<double>& time,
+                     std::vector<double>& tangents) const;
 
     std::vector<Step> steps;
     std::vector<LookupTable> tables;
@@ -82,7 +87,18 @@ struct HybridModel {
         double time{};  // [s], above 0
     };
 
+    /// An output of the model itself: one of the continuous model, or a slot.
+    struct Output {
+        std::string name;
+        int slot{-1};  // -1: of the continuous model
+    };
+
     std::shared_ptr<const FlatModel> continuous;
+    /// Where the signals of the model are kept: the same with its inputs and outputs alone, for whoever asks what goes
+    /// in and comes out. A slot that is an output is a variable there, and the slot has another name (`outsideSlots`).
+    std::shared_ptr<const FlatModel> outside;
+    std::vector<std::string> outsideSlots;
+    std::vector<Output> outputs;
     std::vector<std::string> slots;               // names: parameters of the continuous model
     std::vector<double> starts;                   // of the slots
     std::vector<std::string> readings;            // names: its outputs, in order
@@ -101,6 +117,12 @@ struct HybridModel {
     std::vector<Delay> delays;
 };
 
-Outcome<HybridModel> partition(const FlatModel& model);
+/// What becomes of the model's own inputs and outputs. A class by itself has nobody who drives it: inputs stay at their
+/// starts, outputs are variables like others.
+enum class Signals { Dropped, Kept };
+
+/// `symbolic`: parameters that may take other values than the model's own.
+Outcome<HybridModel> partition(const FlatModel& model, Signals signals = Signals::Dropped,
+                               const std::vector<std::string>& symbolic = {});
 
 }  // namespace analogon

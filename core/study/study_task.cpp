@@ -33,8 +33,9 @@ struct ModelSignals {
 
 ModelSignals signalsOf(const FlatModel& model) {
     ModelSignals signals;
-    for (const FlatVariable& variable : model.variables) {
-        if (variable.causality == FlatCausality::Input) {
+    for (std::uint32_t i = 0; i < model.variables.size(); ++i) {
+        const FlatVariable& variable = model.variables[i];
+        if (model.isInput({i})) {
             signals.inputs[variable.name] = model.unitOf(variable);
             signals.inputNames.push_back(variable.name);
         } else if (variable.causality == FlatCausality::Output) {

@@ -8566,6 +8566,22 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>der Integrator ließ sich nicht einrichten</translation>
     </message>
     <message>
+        <source>the events do not go on</source>
+        <translation>die Ereignisse gehen nicht weiter</translation>
+    </message>
+    <message>
+        <source>the model ends the simulation</source>
+        <translation>das Modell beendet die Simulation</translation>
+    </message>
+    <message>
+        <source>'{}' changes at events alone, and begins with a value that is fitted</source>
+        <translation>„{}“ ändert sich nur bei Ereignissen und beginnt mit einem Wert, der angepasst wird</translation>
+    </message>
+    <message>
+        <source>fit what does not decide how it begins</source>
+        <translation>passen Sie an, was nicht bestimmt, wie es beginnt</translation>
+    </message>
+    <message>
         <source>the integrator could not restart</source>
         <translation>der Integrator ließ sich nicht neu starten</translation>
     </message>

@@ -23,7 +23,8 @@ ModelFacts modelFacts(const Study& study) {
     for (Diagnostic& fault : outsideRange(*flat, study)) facts.messages.push_back(std::move(fault));
     for (std::size_t i = 0; i < flat->variables.size(); ++i) {
         const FlatVariable& v = flat->variables[i];
-        if (v.causality == FlatCausality::Input) facts.inputs.push_back({v.name, flat->unitOf(v), v.description});
+        if (flat->isInput({static_cast<std::uint32_t>(i)}))
+            facts.inputs.push_back({v.name, flat->unitOf(v), v.description});
         if (v.causality == FlatCausality::Output) facts.outputs.push_back({v.name, flat->unitOf(v), v.description});
         if (v.variability == FlatVariability::Continuous && v.type != FlatType::String)
             facts.variables.push_back({v.name, flat->unitOf(v), v.description});
