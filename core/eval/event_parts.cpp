@@ -22,4 +22,13 @@ Outcome<SystemPtr> buildWithEvents(const FlatModel& model, const std::vector<std
     return System::build(structure, std::move(parts));
 }
 
+Outcome<Structure> structureSeen(FlatModel model, const std::vector<std::string>& symbolic) {
+    StructureOptions options{symbolic};
+    if (model.events.refusals.empty()) return analyse(std::make_shared<FlatModel>(std::move(model)), options);
+    const Outcome<HybridModel> hybrid = partition(model, Signals::Kept, symbolic);
+    if (!hybrid) return hybrid.diagnostics();
+    options.keep.insert(options.keep.end(), hybrid->outsideSlots.begin(), hybrid->outsideSlots.end());
+    return analyse(hybrid->outside, options);
+}
+
 }  // namespace analogon

@@ -17,4 +17,7 @@ struct EventParts {
 Outcome<SystemPtr> buildWithEvents(const FlatModel& model, const std::vector<std::string>& symbolic,
                                    Structure& structure);
 
+/// The structure of a model as seen from without, whether it has events of its own or not.
+Outcome<Structure> structureSeen(FlatModel model, const std::vector<std::string>& symbolic);
+
 }  // namespace analogon

@@ -1,6 +1,7 @@
 #include "core/effect/block/candidate.hpp"
 
 #include "core/base/unit.hpp"
+#include "core/eval/event_parts.hpp"
 #include "core/fit/clock.hpp"
 #include "core/flat/parameter_change.hpp"
 
@@ -58,7 +59,7 @@ Outcome<ModelNodes> nodesOf(const Variant& variant, Diagram& diagram) {
         if (!isClock(v.name)) options.keep.push_back(v.name);
     flat = withStarts(std::move(*flat), options.keep);
     if (!flat) return flat.diagnostics();
-    Outcome<Structure> structure = analyse(std::make_shared<FlatModel>(std::move(*flat)), options);
+    Outcome<Structure> structure = structureSeen(std::move(*flat), options.keep);
     if (!structure) return structure.diagnostics();
     Outcome<Diagram> read = readDiagram(variant.task.library, variant.task.className);
     if (!read) return read.diagnostics();

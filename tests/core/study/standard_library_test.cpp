@@ -1,132 +1,69 @@
 // Studies on models that are drawn with the Modelica Standard Library, each with something in the recording that the
 // model lacks. The recordings are made here, by equations of their own; without the library the tests are skipped.
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdlib>
-#include <functional>
-#include <random>
-
-#include "core/study/run.hpp"
-#include "study_fixture.hpp"
+#include "standard_library_study.hpp"
 
 namespace analogon {
 namespace {
 
-/// A column that is measured, its noise, and its value where a recording stands.
-struct Measured {
-    const char* header;
-    double noise;
-    std::vector<double> values{};
-};
+using testing::Command;
+using testing::DiscoveryInStandardLibrary;
+using testing::dryFriction;
 
-/// One step of the classical Runge-Kutta method.
-template <std::size_t N, class Rate>
-void advance(std::array<double, N>& x, double t, double h, const Rate& rate) {
-    const auto along = [&](const std::array<double, N>& k, double part) {
-        std::array<double, N> y = x;
-        for (std::size_t i = 0; i < N; ++i) y[i] += part * h * k[i];
-        return y;
-    };
-    const auto a = rate(t, x), b = rate(t + h / 2, along(a, 0.5)), c = rate(t + h / 2, along(b, 0.5)),
-               d = rate(t + h, along(c, 1));
-    for (std::size_t i = 0; i < N; ++i) x[i] += h * (a[i] + 2 * b[i] + 2 * c[i] + d[i]) / 6;
+// ------------------------------------------------------------------------------------------ a DC machine
+
+constexpr const char* machineText = R"(model Drive "Machine, rotor and bearing"
+  Modelica.Blocks.Interfaces.RealInput v(unit="V");
+  Modelica.Blocks.Interfaces.RealOutput i(unit="A");
+  Modelica.Blocks.Interfaces.RealOutput w(unit="rad/s");
+  Modelica.Electrical.Analog.Sources.SignalVoltage supply;
+  Modelica.Electrical.Analog.Basic.Resistor resistor(R=1);
+  Modelica.Electrical.Analog.Basic.Inductor inductor(L=2e-3);
+  Modelica.Electrical.Analog.Basic.RotationalEMF emf(k=0.04);
+  Modelica.Electrical.Analog.Basic.Ground ground;
+  Modelica.Electrical.Analog.Sensors.CurrentSensor ammeter;
+  Modelica.Mechanics.Rotational.Components.Inertia rotor(J=2e-4, phi(fixed=true, start=0), w(fixed=true, start=0));
+  Modelica.Mechanics.Rotational.Components.BearingFriction bearing(tau_pos=[0, 0.015; 200, 0.035]);
+  Modelica.Mechanics.Rotational.Sensors.SpeedSensor tacho;
+equation
+  connect(v, supply.v);
+  connect(supply.p, resistor.p);
+  connect(resistor.n, inductor.p);
+  connect(inductor.n, emf.p);
+  connect(emf.n, ammeter.p);
+  connect(ammeter.n, supply.n);
+  connect(supply.n, ground.p);
+  connect(emf.flange, rotor.flange_a);
+  connect(rotor.flange_b, bearing.flange_a);
+  connect(bearing.flange_b, tacho.flange);
+  connect(ammeter.i, i);
+  connect(tacho.w, w);
+end Drive;
+)";
+
+TEST_F(DiscoveryInStandardLibrary, FindsTheLagOfATachometer) {
+    put("model.mo", machineText);
+    putStudy(
+        "Drive", R"("v": "v")", R"("i": "i", "w": "w")",
+        R"("resistor.R": {"fit": true, "min": 0.1, "max": 10}, "inductor.L": {"fit": true, "min": 1e-4, "max": 0.1},
+                "emf.k": {"fit": true, "min": 0.005, "max": 0.5}, "rotor.J": {"fit": true, "min": 1e-5, "max": 0.01})");
+    for (const auto& [file, first] : {std::pair("fit.csv", 0), std::pair("check.csv", 4)}) {
+        const Command command{0.005, 60, -12, 12, first};
+        // current, speed, what the tachometer shows
+        record<3>(
+            file, "v [V]", command, 500, 20, {},
+            [&](double t, const std::array<double, 3>& x) {
+                const double driven = 0.05 * x[0];
+                const double friction = dryFriction(driven + 0.3 * x[1], x[1], 0.015 + 1e-4 * std::abs(x[1]), 1e-2);
+                return std::array<double, 3>{(command(t) - 1.3 * x[0] - 0.05 * x[1]) / 3e-3, (driven - friction) / 3e-4,
+                                             (x[1] - x[2]) / 0.02};
+            },
+            {{"i [A]", 0.02}, {"w [rad/s]", 0.3}},
+            [](double, const std::array<double, 3>& x) {
+                return std::vector<double>{x[0], x[2]};
+            });
+    }
+    expectFound(discovered(), "sensor.lag", "output w", 0.02, 4e-4, {{"i [A]", 0.02}, {"w [rad/s]", 0.3}});
 }
-
-/// The command of a recording: levels of many sizes from `low` to `high`, joined by straight lines from one sample to
-/// the next.
-struct Command {
-    double step;  // [s] between samples
-    int pause;    // samples of a level
-    double low, high;
-    int first{};  // level with which the recording begins: each has another course
-
-    double atSample(int k) const {
-        constexpr std::array<double, 11> levels{0, 0.7, 0.3, 1, 0.5, 0.15, 0.85, 0.4, 0.95, 0.05, 0.6};
-        return low + (high - low) * levels[static_cast<std::size_t>(k / pause + first) % levels.size()];
-    }
-    double operator()(double t) const {
-        const int k = static_cast<int>(std::floor(t / step));
-        return atSample(k) + (atSample(k + 1) - atSample(k)) * (t / step - k);
-    }
-};
-
-class DiscoveryInStandardLibrary : public testing::StudyTest {
-protected:
-    void SetUp() override {
-        StudyTest::SetUp();
-        const char* const path = std::getenv("MODELICAPATH");
-        if (!path || !*path) GTEST_SKIP() << "MODELICAPATH names no directory with the Modelica Standard Library";
-    }
-
-    /// Writes a recording of `samples` of the command and of what `measured` says of each state.
-    template <std::size_t N, class Rate, class Shown>
-    void record(const std::string& file, const std::string& input, const Command& command, int samples, int within,
-                std::array<double, N> x, const Rate& rate, const std::vector<Measured>& measured, const Shown& shown) {
-        std::mt19937 random(static_cast<unsigned>(command.first) + 3);
-        std::normal_distribution<double> normal;
-        std::ofstream csv(directory_ / file);
-        csv.precision(10);
-        csv << "t [s]," << input;
-        for (const Measured& m : measured) csv << ',' << m.header;
-        csv << '\n';
-        for (int k = 0; k < samples; ++k) {
-            const double t = k * command.step;
-            csv << t << ',' << command(t);
-            const std::vector<double> values = shown(t, x);
-            for (std::size_t m = 0; m < measured.size(); ++m)
-                csv << ',' << values[m] + measured[m].noise * normal(random);
-            csv << '\n';
-            for (int j = 0; j < within; ++j) advance(x, t + j * command.step / within, command.step / within, rate);
-        }
-    }
-
-    /// The study of fit.csv and check.csv; `inputs`, `outputs`, `parameters`: as in study.json.
-    void putStudy(const std::string& name, const std::string& inputs, const std::string& outputs,
-                  const std::string& parameters) {
-        const auto experiment = [&](const std::string& file, const std::string& role) {
-            return R"({"name": ")" + role + R"(", "role": ")" + role + R"(", "file": ")" + file +
-                   R"(", "time": "t", "inputs": {)" + inputs + R"(}, "outputs": {)" + outputs + "}}";
-        };
-        put("study.json", R"({"format": "analogon-study-1", "class": ")" + name + R"(", "experiments": [)" +
-                              experiment("fit.csv", "fit") + ",\n" + experiment("check.csv", "validate") +
-                              R"(], "parameters": {)" + parameters + "}}");
-    }
-
-    Finding discovered() {
-        if (const char* kept = std::getenv("ANALOGON_KEEP_STUDIES")) {
-            const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-            std::filesystem::copy(
-                directory_, std::filesystem::path(kept) / test->name(),
-                std::filesystem::copy_options::overwrite_existing | std::filesystem::copy_options::recursive);
-            return {};
-        }
-        const Outcome<RunResult> result = runDiscover(read(), {});
-        EXPECT_TRUE(result) << format(result.diagnostics());
-        return result ? result->finding : Finding{};
-    }
-
-    /// Expects one effect, of this kind at one of these places (which the data cannot tell apart) and of this strength,
-    /// and that what was not fitted is met as well as the noise allows.
-    static void expectFound(const Finding& finding, const std::string& kind, const std::string& at, double strength,
-                            double tolerance, const std::vector<Measured>& measured) {
-        EXPECT_EQ(finding.kind, FindingKind::Effect);
-        ASSERT_EQ(finding.effects.size(), 1u);
-        const AddedEffect& effect = finding.effects.front();
-        EXPECT_EQ(effect.kind, kind);
-        EXPECT_EQ(effect.at, at);
-        EXPECT_NEAR(effect.parameters.at(0).value, strength, tolerance);
-        int checked = 0;
-        for (const ExperimentState& experiment : finding.final.experiments)
-            for (const OutputState& output : experiment.outputs)
-                for (const Measured& m : measured)
-                    if (experiment.role == Role::Validate && std::string(m.header).starts_with(output.name)) {
-                        EXPECT_LT(output.figures.rmse, 1.1 * m.noise) << output.name;
-                        ++checked;
-                    }
-        EXPECT_EQ(checked, static_cast<int>(measured.size()));
-    }
-};
 
 // ------------------------------------------------------------------------------------------ a heated body
 
@@ -181,6 +118,111 @@ TEST_F(DiscoveryInStandardLibrary, FindsASecondHeatLoss) {
     }
     expectFound(discovered(), "thermal.radiation", "source.port", 2e-9, 6e-11,
                 {{"T_heater [K]", 0.2}, {"T_plate [K]", 0.2}});
+}
+
+// ------------------------------------------------------------------------------------------ an actuator
+
+constexpr const char* actuatorText = R"(model Actuator "A magnet against a spring, with a stop"
+  Modelica.Blocks.Interfaces.RealInput f(unit="N");
+  Modelica.Blocks.Interfaces.RealOutput s(unit="m");
+  Modelica.Mechanics.Translational.Sources.Force magnet;
+  Modelica.Mechanics.Translational.Components.Mass armature(m=0.2, s(fixed=true, start=0), v(fixed=true, start=0));
+  Modelica.Mechanics.Translational.Components.SpringDamper spring(c=600, d=5);
+  Modelica.Mechanics.Translational.Components.Fixed housing;
+  Modelica.Mechanics.Translational.Components.ElastoGap stop(c=3e4, d=50, s_rel0=0);
+  Modelica.Mechanics.Translational.Components.Fixed seat(s0=0.012);
+  Modelica.Mechanics.Translational.Sensors.PositionSensor position;
+equation
+  connect(f, magnet.f);
+  connect(magnet.flange, armature.flange_a);
+  connect(armature.flange_b, spring.flange_b);
+  connect(spring.flange_a, housing.flange);
+  connect(armature.flange_b, stop.flange_a);
+  connect(stop.flange_b, seat.flange);
+  connect(armature.flange_b, position.flange);
+  connect(position.s, s);
+end Actuator;
+)";
+
+TEST_F(DiscoveryInStandardLibrary, FindsTheDryFrictionOfAnActuatorWithAStop) {
+    put("model.mo", actuatorText);
+    putStudy("Actuator", R"("f": "f")", R"("s": "s")",
+             R"("armature.m": {"fit": true, "min": 0.01, "max": 5}, "spring.c": {"fit": true, "min": 10, "max": 1e4},
+                "spring.d": {"fit": true, "min": 0.1, "max": 100}, "stop.c": {"fit": true, "min": 1e3, "max": 1e6})");
+    for (const auto& [file, first] : {std::pair("fit.csv", 0), std::pair("check.csv", 4)}) {
+        const Command command{0.002, 60, 0, 14, first};
+        record<2>(
+            file, "f [N]", command, 1000, 40, {},
+            [&](double t, const std::array<double, 2>& x) {
+                const double gap = 0.012 - x[0];
+                const double spring = std::min(0.0, 5e4 * gap);
+                const double stop = gap < 0 ? spring + std::clamp(-50 * x[1], spring, -spring) : 0;
+                const double driven = command(t) - 800 * x[0] - 7 * x[1] + stop;
+                return std::array<double, 2>{x[1], (driven - dryFriction(driven + 250 * x[1], x[1], 0.8, 2e-4)) / 0.25};
+            },
+            {{"s [m]", 2e-5}}, [](double, const std::array<double, 2>& x) { return std::vector<double>{x[0]}; });
+    }
+    expectFound(discovered(), "friction.coulomb", "magnet.flange", 0.8, 0.01, {{"s [m]", 2e-5}});
+}
+
+// ------------------------------------------------------------------------------------------ a rectifier
+
+constexpr const char* rectifierText = R"(model Rectifier "A diode into a filter and a load"
+  Modelica.Blocks.Interfaces.RealInput v(unit="V");
+  Modelica.Blocks.Interfaces.RealOutput i(unit="A");
+  Modelica.Blocks.Interfaces.RealOutput u(unit="V");
+  Modelica.Electrical.Analog.Sources.SignalVoltage supply;
+  Modelica.Electrical.Analog.Basic.Resistor lead(R=0.5);
+  Modelica.Electrical.Analog.Basic.Inductor coil(L=1e-3, i(fixed=true, start=0));
+  Modelica.Electrical.Analog.Ideal.IdealDiode diode(Vknee=0.7);
+  Modelica.Electrical.Analog.Basic.Capacitor filter(C=5e-4, v(fixed=true, start=0));
+  Modelica.Electrical.Analog.Basic.Resistor load(R=20);
+  Modelica.Electrical.Analog.Basic.Ground ground;
+  Modelica.Electrical.Analog.Sensors.CurrentSensor ammeter;
+  Modelica.Electrical.Analog.Sensors.VoltageSensor voltmeter;
+equation
+  connect(v, supply.v);
+  connect(supply.p, lead.p);
+  connect(lead.n, coil.p);
+  connect(coil.n, diode.p);
+  connect(diode.n, ammeter.p);
+  connect(ammeter.n, filter.p);
+  connect(ammeter.n, load.p);
+  connect(filter.n, ground.p);
+  connect(load.n, ground.p);
+  connect(supply.n, ground.p);
+  connect(voltmeter.p, load.p);
+  connect(voltmeter.n, ground.p);
+  connect(ammeter.i, i);
+  connect(voltmeter.v, u);
+end Rectifier;
+)";
+
+TEST_F(DiscoveryInStandardLibrary, FindsTheResistanceInsideAFilter) {
+    put("model.mo", rectifierText);
+    putStudy("Rectifier", R"("v": "v")", R"("i": "i", "u": "u")",
+             R"("lead.R": {"fit": true, "min": 0.01, "max": 10}, "coil.L": {"fit": true, "min": 1e-5, "max": 0.1},
+                "filter.C": {"fit": true, "min": 1e-5, "max": 0.01}, "load.R": {"fit": true, "min": 1, "max": 1000})");
+    for (const auto& [file, first] : {std::pair("fit.csv", 0), std::pair("check.csv", 4)}) {
+        const Command command{1e-4, 40, -10, 15, first};
+        constexpr double within = 0.3, load = 25;                  // [Ohm] in the filter, of the load
+        const auto voltage = [](const std::array<double, 2>& x) {  // of the load, by the current of both
+            return (x[1] + within * x[0]) / (1 + within / load);
+        };
+        record<2>(
+            file, "v [V]", command, 450, 40, {},
+            [&](double t, const std::array<double, 2>& x) {
+                const double drop = 0.8 * x[0] + voltage(x) + 0.7;
+                const double rise = (command(t) - drop) / 1.5e-3;
+                return std::array<double, 2>{x[0] <= 0 ? std::max(0.0, rise) - x[0] / 1e-5 : rise,
+                                             (x[0] - voltage(x) / load) / 8e-4};
+            },
+            {{"i [A]", 0.02}, {"u [V]", 0.02}},
+            [&](double, const std::array<double, 2>& x) {
+                return std::vector<double>{x[0], voltage(x)};
+            });
+    }
+    expectFound(discovered(), "resistance.series", "filter.p", 0.3, 0.01, {{"i [A]", 0.02}, {"u [V]", 0.02}});
 }
 
 // ------------------------------------------------------------------------------------------ a pump

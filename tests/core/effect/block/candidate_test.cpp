@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/core/effect/text_task.hpp"
 #include "tests/core/effect/warm_body.hpp"
 
 namespace analogon {
@@ -42,6 +43,31 @@ TEST(CandidatesFor, AreAtEveryPlaceWhereTheEffectFits) {
     EXPECT_THAT(placesOf(variant, "sensor.lag"), ElementsAre("output T"));
     EXPECT_THAT(placesOf(variant, "actuator.lag"), ElementsAre("input P"));
     EXPECT_THAT(placesOf(variant, "friction.coulomb"), IsEmpty()) << "nothing turns";
+}
+
+TEST(CandidatesFor, AreInAModelWithEventsOfItsOwn) {
+    const Variant thermostat{taskOf(R"(model Heated
+  Analogon.Interfaces.RealOutput T(unit="K");
+  Analogon.Sources.PrescribedHeatFlow source;
+  Analogon.Thermal.HeatCapacitor body(C=10, T_start=293.15);
+  Analogon.Sensors.TemperatureSensor sensor;
+  Boolean isOn(start=true, fixed=true);
+equation
+  source.Q_flow = if isOn then 5 else 0;
+  when {T > 330, T < 320} then
+    isOn = not pre(isOn);
+  end when;
+  connect(source.port, body.port);
+  connect(body.port, sensor.port);
+  connect(sensor.T, T);
+end Heated;
+)",
+                                    "Heated"),
+                             {},
+                             {}};
+    EXPECT_THAT(placesOf(thermostat, "sensor.lag"), ElementsAre("output T"));
+    EXPECT_THAT(placesOf(thermostat, "actuator.lag"), IsEmpty()) << "what happens at events is no input";
+    EXPECT_THAT(placesOf(thermostat, "thermal.loss"), Not(IsEmpty()));
 }
 
 TEST(CandidatesFor, HaveTheUnitOfTheSignalTheyAreAt) {
