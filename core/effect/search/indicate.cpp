@@ -163,10 +163,12 @@ void indicate(SearchContext& search, Node& node, const std::vector<Node>& ends) 
         isOfAnEnd = true;
     }
     if (isOfAnEnd) best = grownFrom(search, std::move(best));
-    if (storageForDeadTimes(search, best)) best = grownFrom(search, std::move(best));
-    if (best.steps.size() == node.steps.size()) return;
+    const bool isExchanged = storageForDeadTimes(search, best);
+    if (isExchanged) best = grownFrom(search, std::move(best));
+    const auto isNew = [&] { return best.steps.size() >= node.steps.size() + (isExchanged ? 0 : 1); };
+    if (!isNew()) return;
     confirm(search, best);
-    if (best.steps.size() == node.steps.size() || search.progress.stopRequested()) return;
+    if (!isNew() || search.progress.stopRequested()) return;
     search.journal.model("indicate", best.null, "taken");
     node = std::move(best);
 }

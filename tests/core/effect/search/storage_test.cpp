@@ -38,12 +38,27 @@ TEST(Storage, LeavesADeadTimeThatItCannotStandInFor) {
     EXPECT_EQ(node.null.variant.effects.front().effect.kind, "sensor.delay");
 }
 
-TEST(Storage, LeavesAnEstablishedDeadTimeAsItIs) {
+/// Established is then the class, and what is stored is the likelier name of it where structure remains.
+TEST(Storage, TakesThePlaceOfAnEstablishedDeadTimeThatCannotBeToldFromIt) {
     EstimationTask task = laggingBody(3);
     addDraught(task, 0.1);
     WarmSearch of(task);
     Node node = withDeadTime(of);
     node.steps.front().prediction.reset();
+    const std::string at = node.null.variant.effects.front().place.at;
+    node.steps.front().alternatives = {{"sensor.lag", at, 0, true}};
+    EXPECT_TRUE(storageForDeadTimes(of.search, node));
+    EXPECT_EQ(node.null.variant.effects.front().effect.kind, "sensor.lag");
+    EXPECT_FALSE(node.steps.front().prediction) << "established is the class";
+}
+
+TEST(Storage, LeavesAnEstablishedDeadTimeThatIsToldFromItAsItIs) {
+    EstimationTask task = laggingBody(3);
+    addDraught(task, 0.1);
+    WarmSearch of(task);
+    Node node = withDeadTime(of);
+    node.steps.front().prediction.reset();
+    for (Alternative& each : node.steps.front().alternatives) each.equivalent = false;
     EXPECT_FALSE(storageForDeadTimes(of.search, node));
 }
 
