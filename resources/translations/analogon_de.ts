@@ -439,6 +439,10 @@
         <source>Paste %1 blocks</source>
         <translation>%1 Blöcke einfügen</translation>
     </message>
+    <message>
+        <source>Lead the wire from %1 to %2</source>
+        <translation>Leitung von %1 nach %2 legen</translation>
+    </message>
 </context>
 <context>
     <name>DiagramView</name>
@@ -4366,6 +4370,14 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <source>Open the report</source>
         <translation>Bericht öffnen</translation>
     </message>
+    <message>
+        <source>Search ten times as long</source>
+        <translation>Zehnmal so lange suchen</translation>
+    </message>
+    <message>
+        <source>Discover again, with ten times the work that it had</source>
+        <translation>Noch einmal suchen, mit dem Zehnfachen der Arbeit</translation>
+    </message>
 </context>
 <context>
     <name>MainWindowFiles</name>
@@ -4869,6 +4881,14 @@ Relativer Standardfehler %1 %</translation>
     <message>
         <source>mean ± std</source>
         <translation>Mittelwert ± Std.-Abw.</translation>
+    </message>
+    <message>
+        <source>The model has an error (see the messages): shown is what its declarations tell.</source>
+        <translation>Das Modell hat einen Fehler (siehe Meldungen): Gezeigt ist, was seine Deklarationen sagen.</translation>
+    </message>
+    <message>
+        <source>The text of the model cannot be read (see the messages): shown is what it told last.</source>
+        <translation>Der Text des Modells ist nicht lesbar (siehe Meldungen): Gezeigt ist, was er zuletzt gesagt hat.</translation>
     </message>
 </context>
 <context>
@@ -5650,6 +5670,26 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <source>With them, refitted, some structure remains that no candidate explains.</source>
         <translation>Damit und neu angepasst bleibt Struktur, die kein Kandidat erklärt.</translation>
     </message>
+    <message>
+        <source>Search ten times as long</source>
+        <translation>Zehnmal so lange suchen</translation>
+    </message>
+    <message>
+        <source>Discover again, with ten times the work that it had</source>
+        <translation>Noch einmal suchen, mit dem Zehnfachen der Arbeit</translation>
+    </message>
+    <message>
+        <source>Search ended at its limit of work</source>
+        <translation>Suche an der Grenze ihrer Arbeit beendet</translation>
+    </message>
+    <message>
+        <source>What it has found is shown; the rest was not tried.</source>
+        <translation>Gezeigt ist, was sie gefunden hat; der Rest wurde nicht versucht.</translation>
+    </message>
+    <message>
+        <source>Click to sort; a third click brings back the order in which they were tried</source>
+        <translation>Klicken sortiert; ein dritter Klick stellt die Reihenfolge der Versuche wieder her</translation>
+    </message>
 </context>
 <context>
     <name>RunBar</name>
@@ -5739,6 +5779,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>%1 done in %2 s.</source>
         <translation>%1 fertig nach %2 s.</translation>
+    </message>
+    <message>
+        <source>Discover ended at its limit of work; what it has found is shown.</source>
+        <translation>Die Suche endete an der Grenze ihrer Arbeit; gezeigt ist, was sie gefunden hat.</translation>
     </message>
 </context>
 <context>
@@ -13756,6 +13800,10 @@ Bitte den Namen prüfen.</translation>
     <message>
         <source>the path of the measurement cannot be kept in the study: {}</source>
         <translation>Der Pfad der Messung lässt sich in der Studie nicht festhalten: {}</translation>
+    </message>
+    <message>
+        <source>the search was ended after {:.0f} times the work of the fit of the model as given, and says what it had until then; Search ten times as long, in the result and in the menu Run, goes on</source>
+        <translation>die Suche wurde nach dem {}-fachen der Arbeit für die Anpassung des gegebenen Modells beendet und sagt, was sie bis dahin hatte; „Zehnmal so lange suchen“, im Ergebnis und im Menü „Rechnen“, geht weiter</translation>
     </message>
 </context>
 <context>

@@ -312,13 +312,14 @@ void Document::setParameterValue(const std::string& name, double value) {
     const auto own = study_->parameters.find(name);
     const QString what = tr("Set %1").arg(QString::fromStdString(name));
     const bool isOwn = own != study_->parameters.end();
-    if (isClock(name) || (isOwn && own->second.value)) {  // no model has a clock
+    const LibraryClass* model = library_.find(study_->className);
+    // No model has a clock, and a text that cannot be read takes nothing.
+    if (isClock(name) || !model || (isOwn && own->second.value)) {
         StudyParameter changed = isOwn ? own->second : StudyParameter{};
+        changed.fit = changed.fit && (isOwn || isClock(name));
         changed.value = value;
         return setStudyParameter(name, changed, what);
     }
-    const LibraryClass* model = library_.find(study_->className);
-    if (!model) return;
     ModelEdit edit(*model->definition, nullptr, &library());
     edit.setParameter(name, syntax::printNumber(value));
     Outcome<syntax::TextEdit> text = edit.finish(what.toStdString());

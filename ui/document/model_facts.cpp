@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/flat/flat_model.hpp"
+#include "core/flat/declared.hpp"
 #include "core/study/parameter_reader.hpp"
 
 namespace analogon::ui {
@@ -12,16 +12,26 @@ std::string unitOf(const std::vector<SignalFact>& facts, const std::string& sign
     return found == facts.end() ? std::string() : found->unit;
 }
 
+namespace {
+
+/// What the simulation alone knows, "pre(v)" and "initial()": nobody measures it.
+bool isOfEvents(const FlatVariable& v) { return v.causality == FlatCausality::Input && v.isProtected; }
+
+}  // namespace
+
 ModelFacts modelFacts(const Study& study) {
     ModelFacts facts;
     const Outcome<Library> library = studyLibrary(study);
     facts.messages = library.diagnostics();
     if (!library) return facts;
-    const Outcome<FlatModel> flat = flatten(*library, study.className);
+    Outcome<FlatModel> flat = flatten(*library, study.className);
     facts.messages.insert(facts.messages.end(), flat.diagnostics().begin(), flat.diagnostics().end());
-    if (!flat) return facts;
-    for (Diagnostic& fault : outsideRange(*flat, study)) facts.messages.push_back(std::move(fault));
+    const bool isWhole = flat.hasValue();
+    if (!isWhole) flat = declared(*library, study.className);
+    for (Diagnostic& fault : isWhole ? outsideRange(*flat, study) : Diagnostics())
+        facts.messages.push_back(std::move(fault));
     for (std::size_t i = 0; i < flat->variables.size(); ++i) {
+        if (isOfEvents(flat->variables[i])) continue;
         const FlatVariable& v = flat->variables[i];
         if (flat->isInput({static_cast<std::uint32_t>(i)}))
             facts.inputs.push_back({v.name, flat->unitOf(v), v.description});
@@ -34,6 +44,7 @@ ModelFacts modelFacts(const Study& study) {
         const auto value = flat->parameterValue(VariableId{static_cast<std::uint32_t>(i)});
         facts.parameters.push_back({v.name, v.unit, v.description, value, v.min, v.max});
     }
+    if (!isWhole) facts.variables.clear();  // there is nothing to simulate them with
     return facts;
 }
 

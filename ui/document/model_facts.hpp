@@ -27,11 +27,11 @@ struct SignalFact {
 /// The unit of a signal; empty: it has none, or is not among them.
 std::string unitOf(const std::vector<SignalFact>& facts, const std::string& signal);
 
-/// What the lists need to know of a study's model; empty lists when it cannot be flattened.
+/// What the lists need to know of a study's model; of one that cannot be flattened what its declarations tell.
 struct ModelFacts {
     std::vector<ParameterFact> parameters;
     std::vector<SignalFact> inputs, outputs;
-    std::vector<SignalFact> variables;  // every number that changes in time, inputs and outputs among them
+    std::vector<SignalFact> variables;  // every number that changes in time, where it can be simulated
     Diagnostics messages;
 };
 

@@ -131,7 +131,8 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
       onlyFitted_(new QToolButton(this)),
       pages_(new QStackedLayout),
       empty_(new QLabel(this)),
-      note_(new QLabel(this)) {
+      note_(new QLabel(this)),
+      fault_(new QLabel(this)) {
     search_->setPlaceholderText(tr("Search parameters"));
     search_->setClearButtonEnabled(true);
     search_->setMinimumWidth(fontMetrics().horizontalAdvance(search_->placeholderText()) + 6 * style::unit);
@@ -179,6 +180,10 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
                                    Qt::TextSelectableByMouse);
     style::makeCaption(note_);
     note_->hide();
+    fault_->setWordWrap(true);
+    fault_->setContentsMargins(style::margin, 0, style::margin, style::unit);
+    style::makeCaption(fault_);
+    fault_->hide();
 
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(style::margin, 2 * style::unit, style::margin, 2 * style::unit);
@@ -190,6 +195,7 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addLayout(bar);
+    layout->addWidget(fault_);
     layout->addLayout(pages_, 1);
     layout->addWidget(knob_);
     layout->addWidget(note_);
@@ -209,6 +215,7 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
     });
     connect(model_, &QAbstractItemModel::modelReset, this, &ParameterPanel::updateState);
     connect(model_, &QAbstractItemModel::dataChanged, this, &ParameterPanel::updateState);
+    connect(&document, &Document::messagesChanged, this, &ParameterPanel::updateFault);
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &ParameterPanel::updateNote);
     connect(note_, &QLabel::linkActivated, this, [this](const QString& target) {
         if (const auto mention = mentionAt(target)) Q_EMIT mentionChosen(*mention);
@@ -277,7 +284,18 @@ void ParameterPanel::updateNote() {
     note_->setVisible(!html.isEmpty() && pages_->currentWidget() == table_);
 }
 
+/// What the declarations tell is there to be edited, whatever is wrong with the model.
+void ParameterPanel::updateFault() {
+    const bool isFaulty = document_.isOpen() && document_.modelError() && model_->rowCount() > 0;
+    fault_->setVisible(isFaulty);
+    if (!isFaulty) return;
+    fault_->setText(document_.definition()
+                        ? tr("The model has an error (see the messages): shown is what its declarations tell.")
+                        : tr("The text of the model cannot be read (see the messages): shown is what it told last."));
+}
+
 void ParameterPanel::updateState() {
+    updateFault();
     chip_->setText(component_);
     chip_->setVisible(model_->isOfComponent());
     table_->setColumnHidden(ParameterModel::Prior, !wantsPriors_ && !model_->hasPriors());

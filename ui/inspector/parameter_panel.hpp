@@ -27,6 +27,7 @@ public:
     void pointAt(const QString& name);
     /// What is to be known of the marked one.
     QLabel* note() const { return note_; }
+    QLabel* fault() const { return fault_; }
     QTableView* table() const { return table_; }
     /// Turns the marked one.
     Knob* knob() const { return knob_; }
@@ -37,6 +38,7 @@ protected:
 
 private:
     void updateState();
+    void updateFault();
     void fitColumns();
     void updateNote();
     void showMenu(QPoint at);
@@ -50,6 +52,7 @@ private:
     QToolButton* onlyFitted_;
     QStackedLayout* pages_;
     QLabel *empty_, *note_;
+    QLabel* fault_;  // that the model has an error, above what its text tells all the same
     QString component_;
     bool wantsPriors_{};  // asked for, though no parameter has one yet
 
