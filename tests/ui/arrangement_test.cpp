@@ -10,6 +10,7 @@
 #include <QTreeWidget>
 
 #include "tests/ui/panels_fixture.hpp"
+#include "tests/ui/sample_finding.hpp"
 #include "ui/effect/result_panel.hpp"
 
 namespace analogon::ui {
@@ -117,6 +118,55 @@ TEST_F(Arrangements, WhatWasTriedIsFilteredAndGrouped) {
     EXPECT_EQ(grouped, all);
     QTest::mouseClick(results->roundBox(), Qt::LeftButton, {}, QPoint(8, results->roundBox()->height() / 2));
     EXPECT_EQ(list->topLevelItemCount(), all);
+}
+
+TEST_F(Arrangements, WhatWasTriedIsSortedByItsColumns) {
+    openLambda();
+    document().setResult(RunKind::Discover,
+                         sampleFinding(document(), "thermal.radiation", "Analogon.Effects.Thermal.Radiation",
+                                       "Heat radiation", "element.solid", "port", "epsilon"),
+                         document().study());
+    auto* results = panel<ResultPanel>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return results->candidates() != nullptr; }, 5000));
+    QTest::qWait(50);
+    const auto column = [&](int c) {
+        QStringList texts;
+        for (int i = 0; i < results->candidates()->topLevelItemCount(); ++i)
+            texts << results->candidates()->topLevelItem(i)->text(c);
+        return texts;
+    };
+    const auto click = [&](int c) {
+        QHeaderView* header = results->candidates()->header();
+        QTest::mouseClick(header->viewport(), Qt::LeftButton, {},
+                          {header->sectionViewportPosition(c) + header->sectionSize(c) / 2, header->height() / 2});
+    };
+    constexpr int name = 0, screening = 2, deltaBic = 3;
+    const QStringList asTried = column(name);
+    ASSERT_EQ(asTried.size(), 6);
+    results->candidates()->setCurrentItem(results->candidates()->topLevelItem(4));
+    const QString marked = results->candidates()->currentItem()->text(name);
+    click(screening);
+    EXPECT_EQ(column(screening), (QStringList{"812", "801", "640", "210", "3.2", "0.0"}));
+    EXPECT_TRUE(results->candidates()->header()->isSortIndicatorShown());
+    click(screening);
+    EXPECT_EQ(column(screening), (QStringList{"0.0", "3.2", "210", "640", "801", "812"}));
+    click(screening);
+    EXPECT_EQ(column(name), asTried) << "as they were tried";
+    EXPECT_FALSE(results->candidates()->header()->isSortIndicatorShown());
+    click(deltaBic);
+    click(deltaBic);
+    EXPECT_EQ(column(deltaBic).first(), "-120") << "by its value, not its letters";
+    EXPECT_EQ(column(deltaBic).mid(4), (QStringList{"", ""})) << "what was not refitted comes last";
+    EXPECT_EQ(results->candidates()->currentItem()->text(name), marked);
+    for (int i = 0; i < 6; ++i) {
+        QTreeWidgetItem* row = results->candidates()->topLevelItem(i);
+        EXPECT_TRUE(results->candidates()->itemWidget(row, 5)) << "each can be tried still";
+    }
+    click(name);
+    QStringList names = column(name);
+    EXPECT_TRUE(std::is_sorted(names.begin(), names.end(),
+                               [](const QString& a, const QString& b) { return a.localeAwareCompare(b) < 0; }));
+    document().undoStack().setClean();
 }
 
 TEST_F(Arrangements, AnEffectIsTriedByTheButtonBesideItsRow) {

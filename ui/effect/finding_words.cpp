@@ -86,7 +86,10 @@ FindingWords findingWords(const Finding& finding, RunKind kind) {
                     tr("Within the bounds the error cannot be made smaller; beyond them it could be."), false};
         return {converged ? tr("Parameters fitted") : tr("Fit did not converge"), message, converged};
     }
-    if (finding.interrupted && !(finding.isAtLimitOfWork && !finding.effects.empty()))
+    if (finding.interrupted && finding.isAtLimitOfWork && finding.effects.empty())
+        return {tr("Search ended at its limit of work"), tr("What it has found is shown; the rest was not tried."),
+                false};
+    if (finding.interrupted && !finding.isAtLimitOfWork)
         return {tr("Search stopped"), tr("What was found until then is shown; the rest was not tried."), false};
     const bool isOne = finding.effects.size() == 1;
     const QString found = finding.effects.empty() ? QString()

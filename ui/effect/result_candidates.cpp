@@ -3,11 +3,13 @@
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QTimer>
 #include <QToolButton>
 #include <QTreeWidgetItemIterator>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <vector>
@@ -34,6 +36,18 @@ bool canBeTried(const QTreeWidgetItem* item) {
     return !kind.isEmpty() && !kind.startsWith("proposal.");
 }
 
+/// Rows without a figure come last, whichever way.
+bool isLess(const QTreeWidgetItem* a, const QTreeWidgetItem* b, int column, Qt::SortOrder order) {
+    const bool isRising = order == Qt::AscendingOrder;
+    if (column == What || column == Where) {
+        const int compared = a->text(column).localeAwareCompare(b->text(column));
+        return isRising ? compared < 0 : compared > 0;
+    }
+    const QVariant left = a->data(column, ResultPanel::FigureRole), right = b->data(column, ResultPanel::FigureRole);
+    if (!left.isValid() || !right.isValid()) return left.isValid() && !right.isValid();
+    return isRising ? left.toDouble() < right.toDouble() : left.toDouble() > right.toDouble();
+}
+
 }  // namespace
 
 QTreeWidgetItem* ResultPanel::addCandidate(const CandidateResult& c) {
@@ -48,6 +62,9 @@ QTreeWidgetItem* ResultPanel::addCandidate(const CandidateResult& c) {
     item->setData(2, KindRole, text(c.className));
     item->setData(3, KindRole, text(c.at));
     item->setData(0, RoundRole, c.round);
+    if (std::isfinite(c.score)) item->setData(Screening, FigureRole, c.score);
+    if (c.deltaBic && std::isfinite(*c.deltaBic)) item->setData(DeltaBic, FigureRole, *c.deltaBic);
+    item->setData(Judgement, FigureRole, static_cast<int>(c.verdict));
     item->setToolTip(0, QStringList{item->text(0), text(c.kind), text(c.className)}.join('\n'));
     item->setToolTip(1, item->text(1));
     alignRight(item, {Screening, DeltaBic});
@@ -87,9 +104,29 @@ void ResultPanel::addCandidateTools() {
     });
 }
 
+/// The way a column is read first: figures from the largest, names from the first. Once more turns it round, and a
+/// third time brings back the order in which they were tried.
+void ResultPanel::sortBy(int column) {
+    if (column >= Trial) return;
+    const Qt::SortOrder first = column == Screening ? Qt::DescendingOrder : Qt::AscendingOrder;
+    if (column != sortedBy_) {
+        sortedBy_ = column;
+        order_ = first;
+    } else if (order_ == first) {
+        order_ = first == Qt::AscendingOrder ? Qt::DescendingOrder : Qt::AscendingOrder;
+    } else {
+        sortedBy_ = -1;
+    }
+    groupCandidates();
+}
+
 /// Puts the rows under a heading for each round, or all on one level; each gets its button anew, as the table takes it
 /// away with a row that moves.
 void ResultPanel::groupCandidates() {
+    candidates_->header()->setSortIndicatorShown(sortedBy_ >= 0);
+    if (sortedBy_ >= 0) candidates_->header()->setSortIndicator(sortedBy_, order_);
+    const QSignalBlocker blocker(candidates_);  // the marked row stays what it is
+    QTreeWidgetItem* const marked = candidates_->currentItem();
     std::vector<QTreeWidgetItem*> rows;
     while (candidates_->topLevelItemCount() > 0) {
         QTreeWidgetItem* top = candidates_->takeTopLevelItem(0);
@@ -100,8 +137,12 @@ void ResultPanel::groupCandidates() {
             delete top;
         }
     }
-    std::sort(rows.begin(), rows.end(),
-              [](const auto* a, const auto* b) { return a->data(0, RankRole).toInt() < b->data(0, RankRole).toInt(); });
+    const auto comes = [this](const QTreeWidgetItem* a, const QTreeWidgetItem* b) {
+        if (sortedBy_ < 0 || isLess(a, b, sortedBy_, order_) == isLess(b, a, sortedBy_, order_))
+            return a->data(0, RankRole).toInt() < b->data(0, RankRole).toInt();
+        return isLess(a, b, sortedBy_, order_);
+    };
+    std::sort(rows.begin(), rows.end(), comes);
     std::set<int> rounds;
     for (const QTreeWidgetItem* row : rows) rounds.insert(row->data(0, RoundRole).toInt());
     std::map<int, QTreeWidgetItem*> headings;
@@ -129,6 +170,7 @@ void ResultPanel::groupCandidates() {
         connect(button, &QToolButton::clicked, this, [this, row] { tryCandidate(row); });
         candidates_->setItemWidget(row, Trial, button);
     }
+    candidates_->setCurrentItem(marked);
     filterCandidates();
 }
 
@@ -182,6 +224,9 @@ void ResultPanel::addCandidates(const Finding& finding) {
         header->setSectionResizeMode(c, QHeaderView::Stretch);
         style::wrapColumn(candidates_, c);  // the ends of two names may be all that tells them apart
     }
+    header->setSectionsClickable(true);
+    header->setToolTip(tr("Click to sort; a third click brings back the order in which they were tried"));
+    connect(header, &QHeaderView::sectionClicked, this, &ResultPanel::sortBy);
     connect(header, &QHeaderView::sectionResized, candidates_,
             [list = candidates_] { QTimer::singleShot(0, list, [list] { fitTableHeight(list); }); });
     candidates_->setMouseTracking(true);

@@ -97,7 +97,7 @@ void ResultPanel::refresh() {
     if (candidates_) lookAt(nullptr);  // its rows are about to go
     headline_ = nullptr;
     candidates_ = comparison_ = nullptr;
-    try_ = nullptr;
+    try_ = longer_ = nullptr;
     filter_ = nullptr;
     byRound_ = nullptr;
     body_ = new QWidget;
@@ -142,6 +142,13 @@ void ResultPanel::addHeadline(const Finding& finding) {
     headline_->setPalette(tinted);
     column_->addWidget(headline_);
     addText(h.sentence);
+    if (finding.isAtLimitOfWork && document_.resultKind() == RunKind::Discover && !document_.isResultStale()) {
+        longer_ = new QPushButton(tr("Search ten times as long"), body_);
+        longer_->setObjectName("search-longer");
+        longer_->setToolTip(tr("Discover again, with ten times the work that it had"));
+        connect(longer_, &QPushButton::clicked, this, &ResultPanel::longerSearchWanted);
+        addButton(longer_);
+    }
     if (document_.isResultStale()) {
         auto* stale = addText(tr("The study has been changed since. Run again to see what holds now."), true);
         QPalette p = stale->palette();

@@ -36,10 +36,11 @@ public:
 
     QString headline() const;
     /// Of a row of the candidates; the first is the kind, the place to point at, the class and the place, from the
-    /// left.
-    enum CandidateRole { KindRole = Qt::UserRole, RoundRole, RankRole };
+    /// left. FigureRole: what a column is sorted by, where that is a number.
+    enum CandidateRole { KindRole = Qt::UserRole, RoundRole, RankRole, FigureRole };
     QTreeWidget* candidates() const { return candidates_; }  // null: none
     QTreeWidget* comparison() const { return comparison_; }
+    QPushButton* longerButton() const { return longer_; }   // null: the search was not ended at its limit of work
     QPushButton* tryButton() const { return try_; }         // null: no candidates
     QLineEdit* candidateFilter() const { return filter_; }  // the same
     QCheckBox* roundBox() const { return byRound_; }        // the same
@@ -51,6 +52,7 @@ Q_SIGNALS:
     void effectLookedAt(const analogon::EffectChoice& choice, const QString& name);
     void effectLeft();
     void trialWanted(const analogon::EffectChoice& choice);
+    void longerSearchWanted();
     /// Something that a sentence speaks of.
     void mentionChosen(const analogon::ui::Mention& mention);
 
@@ -72,6 +74,7 @@ private:
     QTreeWidgetItem* addCandidate(const CandidateResult& candidate);
     void addCandidateTools();
     void groupCandidates();
+    void sortBy(int column);
     void filterCandidates();
     void tryCandidate(const QTreeWidgetItem* item);
     void addButton(QPushButton* button);
@@ -87,11 +90,13 @@ private:
     QLabel* headline_{};
     QTreeWidget* candidates_{};
     QTreeWidget* comparison_{};
-    QPushButton* try_{};
+    QPushButton *try_{}, *longer_{};
     QLineEdit* filter_{};
     QCheckBox* byRound_{};
     QString sought_;  // what of the candidates is shown, and how: it stays when the page is built anew
     bool isByRound_{};
+    int sortedBy_{-1};  // column; -1: as they were tried
+    Qt::SortOrder order_{Qt::AscendingOrder};
 };
 
 }  // namespace analogon::ui

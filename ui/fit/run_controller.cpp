@@ -73,8 +73,6 @@ SoundRun runAll(const Study& study, const RunOptions& options, const Progress& p
 }
 
 constexpr int livePause = 200;  // [ms] between two views of a fit that runs
-constexpr int lookPause = 250;  // [ms] that the pointer rests on an effect before work begins
-constexpr std::size_t keptLooks = 12;
 
 bool hasFitted(const Study& study) {
     const auto isFitted = [](const auto& entry) { return entry.second.fit; };
@@ -85,18 +83,6 @@ bool hasFitted(const Study& study) {
                return std::any_of(e.initial.begin(), e.initial.end(), isFree) ||
                       std::any_of(e.outputs.begin(), e.outputs.end(), asksForClock);
            });
-}
-
-SimulatedTraces tracesOf(const ModelState& state) {
-    SimulatedTraces traces;
-    for (const ExperimentState& e : state.experiments) {
-        SimulatedExperiment experiment{e.name, {}, e.errorPercent};
-        for (const OutputState& o : e.outputs)
-            experiment.outputs.push_back(
-                {o.name, {o.simulated.data(), o.simulated.data() + o.simulated.size()}, o.figures.errorPercent});
-        traces.experiments.push_back(std::move(experiment));
-    }
-    return traces;
 }
 
 QElapsedTimer startedClock() {
@@ -139,6 +125,7 @@ RunController::RunController(Document& document, QObject* parent) : QObject(pare
     for (const JobRunner* job : {&live_, &look_, &preview_})
         connect(job, &JobRunner::failed, this,
                 [this](const Diagnostic& fault) { Q_EMIT concluded(inWords(fault.message)); });
+    options_.discover.patience = 1;  // as on the command line; searchLonger() goes on
     liveDelay_.setSingleShot(true);
     connect(&liveDelay_, &QTimer::timeout, this, &RunController::simulateBest);
     lookDelay_.setSingleShot(true);
@@ -169,17 +156,10 @@ RunController::RunController(Document& document, QObject* parent) : QObject(pare
         run_.drop();
         document_.setLeftOut({});
         leaveEffect();
+        searches_.clear();
         isOpened_ = true;
         if (!document_.isResultStale()) document_.setRunMessages(messagesOf(*document_.result()));
     });
-}
-
-void RunController::tryEffect(const EffectChoice& choice) {
-    if (!document_.isOpen()) return;
-    RunOptions options = options_;
-    options.discover.choices = {choice};
-    options.discover.maxRounds = 1;
-    start(RunKind::Discover, options, document_.study());
 }
 
 void RunController::start(RunKind kind) {
@@ -214,6 +194,9 @@ void RunController::start(RunKind kind, const RunOptions& options, const Study& 
     const Study study = document_.study();
     const unsigned long revision = revision_ = document_.revision();
     part_ = part;
+    asked_ = {options, {}};
+    for (const StudyExperiment& e : part.experiments)
+        if (e.isUsed) asked_.recordings.insert(e.name);
     clock_.start();
     run_.start<SoundRun>(
         runName(kind),
@@ -278,49 +261,6 @@ void RunController::stopWatching() {
     document_.setLiveTraces(std::nullopt);
 }
 
-void RunController::lookAtEffect(const EffectChoice& choice, const QString& name) {
-    if (!document_.canRun() || run_.isBusy()) return;
-    if (wanted_ && wanted_->choice == choice && wanted_->revision == document_.revision()) return;
-    look_.drop();
-    wanted_ = Look{choice, name, document_.revision(), {}};
-    std::erase_if(looks_, [this](const Look& l) { return l.revision != document_.revision(); });
-    for (const Look& known : looks_)
-        if (known.choice == choice) {
-            lookDelay_.stop();
-            return document_.setPreview(known.traces ? std::optional<Document::Preview>({name, *known.traces})
-                                                     : std::nullopt);
-        }
-    lookDelay_.start(lookPause);
-}
-
-void RunController::leaveEffect() {
-    lookDelay_.stop();
-    look_.drop();
-    wanted_.reset();
-    document_.setPreview(std::nullopt);
-}
-
-void RunController::previewEffect() {
-    if (!wanted_ || !document_.canRun() || run_.isBusy()) return;
-    look_.start<Look>(
-        tr("Simulation"),
-        [look = *wanted_, study = document_.study(), options = options_](const Progress& progress) mutable {
-            const Outcome<EstimationTask> task = taskOf(soundPart(study).study, options);
-            if (!task) return look;
-            if (const Outcome<ModelState> state = stateWith(*task, look.choice, options.discover.fit, progress))
-                look.traces = tracesOf(*state);
-            return look;
-        },
-        [this](Look look) {
-            if (look.revision != document_.revision() || !wanted_ || !(wanted_->choice == look.choice)) return;
-            document_.setPreview(look.traces ? std::optional<Document::Preview>({look.name, *look.traces})
-                                             : std::nullopt);
-            if (!look.traces) Q_EMIT concluded(tr("%1 does nothing there that the data show.").arg(look.name));
-            if (looks_.size() >= keptLooks) looks_.erase(looks_.begin());
-            looks_.push_back(std::move(look));
-        });
-}
-
 const JobRunner* RunController::shownJob() const {
     if (run_.isBusy()) return &run_;
     return isPreviewShown_ ? &preview_ : nullptr;
@@ -348,14 +288,22 @@ void RunController::conclude(RunKind kind, const Study& ranOn, unsigned long rev
                          .toStdString())});
         return Q_EMIT concluded(tr("%1: the study changed meanwhile, result dropped.").arg(name));
     }
-    const bool interrupted = outcome->finding.interrupted || run_.isCancelling();
+    const bool isStopped = outcome->finding.interrupted || run_.isCancelling();
     const double seconds = static_cast<double>(clock_.elapsed()) / 1000;
     Diagnostics messages = messagesOf(*outcome);
     for (const Diagnostic& d : outcome.diagnostics()) messages.push_back(d);
     document_.setResult(kind, std::move(*outcome), ranOn, seconds);
     document_.setRunMessages(std::move(messages));
-    Q_EMIT concluded(interrupted ? tr("%1 stopped; best result so far is shown.").arg(name)
-                                 : tr("%1 done in %2 s.").arg(name, style::numberText(seconds, 3)));
+    searches_[document_.shownRun()] = asked_;
+    tellEnd(kind, *document_.finding(), isStopped, seconds);
+}
+
+void RunController::tellEnd(RunKind kind, const Finding& finding, bool isStopped, double seconds) {
+    if (finding.isAtLimitOfWork && !run_.isCancelling())
+        return Q_EMIT concluded(tr("Discover ended at its limit of work; what it has found is shown."));
+    const QString name = runName(kind);
+    Q_EMIT concluded(isStopped ? tr("%1 stopped; best result so far is shown.").arg(name)
+                               : tr("%1 done in %2 s.").arg(name, style::numberText(seconds, 3)));
 }
 
 void RunController::preview() {

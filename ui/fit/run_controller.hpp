@@ -3,6 +3,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <map>
 #include <set>
 #include <string>
 
@@ -25,6 +26,10 @@ public:
     void startOn(RunKind kind, const std::set<std::string>& recordings);
     /// A discovery that knows this effect at this place alone: what the model would be with it.
     void tryEffect(const EffectChoice& choice);
+    /// Once more the search that is shown, with ten times its limit of work.
+    void searchLonger();
+    /// The search that is shown ended at its limit of work, and the study is as it was then.
+    bool canSearchLonger() const;
     /// Works out what the traces would be with this effect and shows them until leaveEffect(); nothing is kept.
     void lookAtEffect(const EffectChoice& choice, const QString& name);
     void leaveEffect();
@@ -44,6 +49,11 @@ Q_SIGNALS:
     void parametersWanted();
 
 private:
+    /// What a search was asked for.
+    struct Search {
+        RunOptions options;
+        std::set<std::string> recordings;
+    };
     /// `part`: the study, or with some of its recordings alone.
     void start(RunKind kind, const RunOptions& options, const Study& part);
     std::vector<FaultyRecording> stillLeftOut(const Study& part) const;
@@ -60,6 +70,7 @@ private:
     void simulateBest();
     void stopWatching();
     void conclude(RunKind kind, const Study& ranOn, unsigned long revision, Outcome<RunResult> outcome);
+    void tellEnd(RunKind kind, const Finding& finding, bool isStopped, double seconds);
 
     Document& document_;
     RunOptions options_;
@@ -85,7 +96,9 @@ private:
         std::optional<SimulatedTraces> traces;  // none: the effect does nothing there
     };
     std::optional<Look> wanted_;
-    std::vector<Look> looks_;  // the last ones
+    std::vector<Look> looks_;                   // the last ones
+    Search asked_;                              // of the run
+    std::map<unsigned long, Search> searches_;  // by the number of their run
 };
 
 QString runName(RunKind kind);

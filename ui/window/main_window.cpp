@@ -206,6 +206,8 @@ void MainWindow::connectPanels() {
         start_->showFault(text);
     });
     connect(document_, &Document::messagesChanged, this, &MainWindow::updateActions);
+    connect(document_, &Document::parametersChanged, this, &MainWindow::updateActions);  // a result may be stale
+    connect(document_, &Document::resultChanged, this, &MainWindow::updateActions);
     connect(document_, &Document::modifiedChanged, this, &MainWindow::updateTitle);
     connect(document_, &Document::experimentsChanged, this, &MainWindow::updateActions);
     connect(document_, &Document::saved, this, [this](bool isDone) {
@@ -267,6 +269,7 @@ void MainWindow::connectPanels() {
     connect(results_, &ResultPanel::trialWanted, this, [this](const EffectChoice& choice) {
         if (document_->canRun()) controller_->tryEffect(choice);
     });
+    connect(results_, &ResultPanel::longerSearchWanted, controller_, &RunController::searchLonger);
     connect(results_, &ResultPanel::placePointedAt, this,
             [this](const QString& place) { scene_->pointOut(place.toStdString()); });
     connect(results_, &ResultPanel::effectLookedAt, controller_, &RunController::lookAtEffect);
@@ -556,6 +559,8 @@ void MainWindow::updateActions() {
         action->setEnabled(!isBusy && why.isEmpty());
         action->setToolTip(why.isEmpty() ? *tip : *tip + "\n" + why);
     }
+    longerAction_->setVisible(controller_->canSearchLonger());
+    longerAction_->setEnabled(!isBusy);
     simulateAction_->setEnabled(document_->isOpen() && !isBusy);
     practiceAction_->setEnabled(document_->isOpen() && document_->isSimulated() && !isBusy);
     whyNoRunAction_->setEnabled(!why.isEmpty());

@@ -194,7 +194,7 @@ private:
         *importAction_{}, *reportAction_{}, *exportTracesAction_{}, *exportMf4Action_{}, *quitAction_{};
     QAction *textBesideAction_{}, *recordingsAction_{};
     QAction *undoAction_{}, *redoAction_{}, *simulateAction_{}, *practiceAction_{}, *fitAction_{}, *discoverAction_{},
-        *fitViewAction_{}, *whyNoRunAction_{};
+        *longerAction_{}, *fitViewAction_{}, *whyNoRunAction_{};
     QString fitTip_, discoverTip_;
     QToolButton *whyNoRun_{}, *openReport_{};
 };

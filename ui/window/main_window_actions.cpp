@@ -86,6 +86,10 @@ void MainWindow::createActions() {
     discoverAction_ =
         make(tr("Discover"), "discover", Qt::Key_F6, tr("Fit, find the effect that the model lacks, add it and refit"));
     discoverAction_->setObjectName("discover");
+    longerAction_ =
+        make(tr("Search ten times as long"), {}, {}, tr("Discover again, with ten times the work that it had"));
+    longerAction_->setObjectName("search-longer");
+    connect(longerAction_, &QAction::triggered, controller_, &RunController::searchLonger);
     fitTip_ = fitAction_->toolTip();
     discoverTip_ = discoverAction_->toolTip();
     whyNoRunAction_ = new QAction(this);  // the keys of both, while they wait for something
@@ -140,7 +144,7 @@ void MainWindow::createMenus() {
     edit->addSeparator();
     compose_->fill(*edit);
     QMenu* run = menuBar()->addMenu(tr("&Run"));
-    run->addActions({simulateAction_, fitAction_, discoverAction_});
+    run->addActions({simulateAction_, fitAction_, discoverAction_, longerAction_});
     run->addSeparator();
     run->addAction(practiceAction_);
     run->setToolTipsVisible(true);  // they say what a run waits for

@@ -24,6 +24,11 @@ const std::map<std::string_view, const char*>& windowSentences() {
         {"Use a part of the recordings (\"range\"), fewer of their rows, or fit fewer parameters.",
          "Use a part of the recordings (their range, or Trim above the traces), fewer of their "
          "rows, or fit fewer parameters."},
+        {"the search was ended after {:.0f} times the work of the fit of the model as given, and "
+         "says what it had until then; with more patience (--patience {:.0f}) it goes on",
+         "the search was ended after {:.0f} times the work of the fit of the model as given, and "
+         "says what it had until then; Search ten times as long, in the result and in the menu Run, "
+         "goes on"},
         {"{}: tell its start value, or fit it (\"initial\")", "{}: the start value of the model is another one"},
         {"the study has no experiment with the role \"fit\"", "no recording is used to fit"},
         {"Give an output of an experiment that is fitted a \"weight\" above 0, or none.",
