@@ -8,6 +8,7 @@
 #include "ui/canvas/block_item.hpp"
 #include "ui/canvas/icon_painter.hpp"
 #include "ui/canvas/wire_item.hpp"
+#include "ui/route/bend.hpp"
 #include "ui/route/route.hpp"
 
 namespace analogon::ui {
@@ -289,6 +290,18 @@ void DiagramScene::selectIn(const QRectF& rect, const DiagramSelection& also) {
     setSelection(wanted);
 }
 
+namespace {
+
+/// Of a wire one end of which has moved: one that was led by hand keeps its way.
+std::vector<Point> wayAfter(const Diagram& before, const Diagram& after, const Wire& wire) {
+    const auto from = after.anchor(wire.from), to = after.anchor(wire.to);
+    std::vector<Point> way;
+    if (from && to && isLedByHand(before, wire)) way = stretched(simplified(wire.points), *from, *to);
+    return way.empty() ? routeWire(after, wire.from, wire.to, false) : way;
+}
+
+}  // namespace
+
 void DiagramScene::showMoved(double dx, double dy) {
     const DiagramSelection selected = selection();
     const std::set<std::string> names(selected.blocks.begin(), selected.blocks.end());
@@ -319,7 +332,7 @@ void DiagramScene::showMoved(double dx, double dy) {
         } else if (first || last) {
             if (dx == 0 && dy == 0)
                 item->showPoints(wire.points);
-            else if (const auto way = routeWire(shifted, wire.from, wire.to, false); way.size() >= 2)
+            else if (const auto way = wayAfter(diagram_, shifted, wire); way.size() >= 2)
                 item->showPoints(way);
         }
     }

@@ -186,12 +186,13 @@ void DiagramView::mousePressEvent(QMouseEvent* event) {
         gesture_ = makeMoveGesture(*this, event);
     } else if (QGraphicsItem* item = itemAt(event->pos()); item && item->type() == WireItem::Type) {
         const bool adds = event->modifiers() & (Qt::ShiftModifier | Qt::ControlModifier);
-        const Wire& wire = static_cast<const WireItem*>(item)->wire();
+        const Wire wire = static_cast<const WireItem*>(item)->wire();
         const DiagramSelection clicked{{}, {{wire.from, wire.to}}};
         if (adds)
             scene_.toggle(clicked);
         else
             scene_.setSelection(clicked);
+        if (!adds) gesture_ = makeBendGesture(*this, event, wire);
     } else {
         gesture_ = makeBandGesture(*this, event);
     }

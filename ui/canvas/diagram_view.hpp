@@ -73,6 +73,7 @@ Q_SIGNALS:
     void moveWanted(double dx, double dy);  // of the selection, in diagram units
     void dropWanted(double dx, double dy);  // the same by the mouse, which may mean a wire
     void wireWanted(const QString& from, const QString& to);
+    void wireBent(const QString& from, const QString& to, const std::vector<analogon::Point>& way);
     void refused(const QString& reason);
     void staleClicked();
     void blockActivated(const QString& name);

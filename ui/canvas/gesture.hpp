@@ -4,6 +4,8 @@
 #include <QPainter>
 #include <memory>
 
+#include "core/diagram/diagram.hpp"
+
 namespace analogon::ui {
 
 class DiagramView;
@@ -27,6 +29,8 @@ protected:
 std::unique_ptr<Gesture> makeMoveGesture(DiagramView& view, QMouseEvent* press);
 /// Draws a wire from a connector: connectors that fit light up, one that does not says why.
 std::unique_ptr<Gesture> makeWireGesture(DiagramView& view, QMouseEvent* press, const std::string& from);
+/// Moves the piece of a wire under the pointer at right angles; a press without a move is a click.
+std::unique_ptr<Gesture> makeBendGesture(DiagramView& view, QMouseEvent* press, const Wire& wire);
 /// Selects what lies in a rectangle.
 std::unique_ptr<Gesture> makeBandGesture(DiagramView& view, QMouseEvent* press);
 std::unique_ptr<Gesture> makePanGesture(DiagramView& view, QMouseEvent* press);

@@ -12,6 +12,7 @@
 #include "ui/document/connector.hpp"
 #include "ui/document/document.hpp"
 #include "ui/document/insertion.hpp"
+#include "ui/route/bend.hpp"
 #include "ui/route/route.hpp"
 #include "ui/words/words.hpp"
 
@@ -308,6 +309,14 @@ bool Composer::addWire(const std::string& from, const std::string& to, const std
     return apply(edit.finish(tr("Connect %1 with %2").arg(qString(from), qString(to)).toStdString()));
 }
 
+bool Composer::lead(const WireEnds& wire, const std::vector<Point>& way) {
+    if (!isReady() || way.size() < 2) return false;
+    ModelEdit edit(*document_.definition(), &document_.diagram(), &document_.library());
+    edit.setLine(wire.from, wire.to, way);
+    return apply(
+        edit.finish(tr("Lead the wire from %1 to %2").arg(qString(wire.from), qString(wire.to)).toStdString()));
+}
+
 bool Composer::remove(const DiagramSelection& selection) {
     if (!isReady() || selection.isEmpty()) return false;
     ModelEdit edit(*document_.definition(), &document_.diagram(), &document_.library());
@@ -334,7 +343,10 @@ Diagram Composer::moved(const Diagram& diagram, const std::vector<std::string>& 
         if (first && last) {
             for (Point& p : wire.points) p = {p.x + dx, p.y + dy};
         } else if (first || last) {
-            std::vector<Point> way = routeWire(result, wire.from, wire.to);
+            const auto from = result.anchor(wire.from), to = result.anchor(wire.to);
+            std::vector<Point> way;
+            if (from && to && isLedByHand(diagram, wire)) way = stretched(simplified(wire.points), *from, *to);
+            if (way.empty()) way = routeWire(result, wire.from, wire.to);
             if (way.size() >= 2) wire.points = std::move(way);
         }
     }

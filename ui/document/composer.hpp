@@ -29,6 +29,8 @@ public:
     /// The same; where it lies on a connection that it fits into (insertionAt), it is led into that.
     std::string dropBlock(const std::string& className, Point centre);
     bool addWire(const std::string& from, const std::string& to, const std::vector<Point>& points = {});
+    /// Leads a wire another way, from end to end.
+    bool lead(const WireEnds& wire, const std::vector<Point>& way);
     bool remove(const DiagramSelection& selection);
     bool move(const std::vector<std::string>& blocks, double dx, double dy);
     /// The same; one block that nothing is connected to is led into the connection it comes to lie on, if it fits.

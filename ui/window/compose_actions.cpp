@@ -95,6 +95,10 @@ void ComposeActions::connectGestures() {
     connect(&view_, &DiagramView::wireWanted, this, [this](const QString& from, const QString& to) {
         report(composer_->addWire(from.toStdString(), to.toStdString()));
     });
+    connect(&view_, &DiagramView::wireBent, this,
+            [this](const QString& from, const QString& to, const std::vector<Point>& way) {
+                report(composer_->lead({from.toStdString(), to.toStdString()}, way));
+            });
     connect(&view_, &DiagramView::refused, this, &ComposeActions::told);
     connect(&view_, &DiagramView::typed, this, &ComposeActions::chooseBlock);
     connect(&view_, &DiagramView::blockActivated, this, [this](const QString& block) {
