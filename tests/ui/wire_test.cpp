@@ -45,6 +45,42 @@ TEST(Bend, FollowsItsEndsWhileItDoesNotTurnBack) {
     EXPECT_TRUE(stretched({{0, 0}, {100, 0}}, {0, 10}, {100, 0}).empty()) << "it has no corner";
 }
 
+Diagram twoBlocks(Point second) {
+    Diagram diagram;
+    for (const Point at : {Point{0, 0}, second}) {
+        Block block;
+        block.name = at == second ? "b" : "a";
+        block.placement.extent = {{at.x - 10, at.y - 10}, {at.x + 10, at.y + 10}};
+        for (const double side : {-100.0, 100.0}) {
+            Port port;
+            port.name = side < 0 ? "p" : "n";
+            port.placement.extent = {{side - 10, -10}, {side + 10, 10}};
+            block.ports.push_back(port);
+        }
+        diagram.blocks.push_back(block);
+    }
+    return diagram;
+}
+
+TEST(Bend, KeepsAWayThatWasLedByHandAndNoOther) {
+    const Diagram before = twoBlocks({100, 0}), after = twoBlocks({110, -20});
+    Wire wire;
+    wire.from = "a.n";
+    wire.to = "b.p";
+    wire.points = routeWire(before, "a.n", "b.p");
+    ASSERT_EQ(wire.points, (Way{{10, 0}, {90, 0}}));
+    EXPECT_FALSE(isLedByHand(before, wire));
+    EXPECT_TRUE(keptWay(wire, before, after).empty());
+    wire.points = {{10, 0}, {30, 0}, {30, 50}, {70, 50}, {70, 0}, {90, 0}};
+    EXPECT_TRUE(isLedByHand(before, wire));
+    EXPECT_EQ(keptWay(wire, before, after), (Way{{10, 0}, {30, 0}, {30, 50}, {70, 50}, {70, -20}, {100, -20}}));
+    Diagram crowded = after;
+    crowded.blocks.push_back(crowded.blocks.front());
+    crowded.blocks.back().name = "c";
+    crowded.blocks.back().placement.extent = {{60, -15}, {80, 5}};
+    EXPECT_TRUE(keptWay(wire, before, crowded).empty()) << "it would cross a block";
+}
+
 /// A wire of a study that is open, dragged with the mouse.
 class Wires : public Panels {
 protected:

@@ -292,11 +292,14 @@ void DiagramScene::selectIn(const QRectF& rect, const DiagramSelection& also) {
 
 namespace {
 
-/// Of a wire one end of which has moved: one that was led by hand keeps its way.
-std::vector<Point> wayAfter(const Diagram& before, const Diagram& after, const Wire& wire) {
+/// Of a wire one end of which has moved. Whether it was led by hand is asked once for each drawing.
+std::vector<Point> wayAfter(const Diagram& before, const Diagram& after, WireItem& item) {
+    constexpr int isLed = 0;
+    const Wire& wire = item.wire();
+    if (!item.data(isLed).isValid()) item.setData(isLed, isLedByHand(before, wire));
     const auto from = after.anchor(wire.from), to = after.anchor(wire.to);
     std::vector<Point> way;
-    if (from && to && isLedByHand(before, wire)) way = stretched(simplified(wire.points), *from, *to);
+    if (from && to && item.data(isLed).toBool()) way = stretched(simplified(wire.points), *from, *to);
     return way.empty() ? routeWire(after, wire.from, wire.to, false) : way;
 }
 
@@ -332,7 +335,7 @@ void DiagramScene::showMoved(double dx, double dy) {
         } else if (first || last) {
             if (dx == 0 && dy == 0)
                 item->showPoints(wire.points);
-            else if (const auto way = wayAfter(diagram_, shifted, wire); way.size() >= 2)
+            else if (const auto way = wayAfter(diagram_, shifted, *item); way.size() >= 2)
                 item->showPoints(way);
         }
     }

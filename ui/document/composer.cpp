@@ -343,9 +343,7 @@ Diagram Composer::moved(const Diagram& diagram, const std::vector<std::string>& 
         if (first && last) {
             for (Point& p : wire.points) p = {p.x + dx, p.y + dy};
         } else if (first || last) {
-            const auto from = result.anchor(wire.from), to = result.anchor(wire.to);
-            std::vector<Point> way;
-            if (from && to && isLedByHand(diagram, wire)) way = stretched(simplified(wire.points), *from, *to);
+            std::vector<Point> way = keptWay(wire, diagram, result);
             if (way.empty()) way = routeWire(result, wire.from, wire.to);
             if (way.size() >= 2) wire.points = std::move(way);
         }

@@ -31,6 +31,19 @@ bool isTurned(Point a, Point b, Point c, Point d) {  // the piece ab has become 
     return (b.x - a.x) * (d.x - c.x) + (b.y - a.y) * (d.y - c.y) <= 0;
 }
 
+/// It may run along an edge, and end on it.
+bool crossesBlock(const Diagram& diagram, const std::vector<Point>& way) {
+    constexpr double edge = 1;  // [diagram units]
+    return std::any_of(diagram.blocks.begin(), diagram.blocks.end(), [&](const Block& block) {
+        const auto [low, high] = boxOf(block.placement);
+        for (std::size_t i = 1; i < way.size(); ++i)
+            if (std::min(way[i - 1].x, way[i].x) < high.x - edge && std::max(way[i - 1].x, way[i].x) > low.x + edge &&
+                std::min(way[i - 1].y, way[i].y) < high.y - edge && std::max(way[i - 1].y, way[i].y) > low.y + edge)
+                return true;
+        return false;
+    });
+}
+
 }  // namespace
 
 bool isOrthogonal(const std::vector<Point>& way) {
@@ -84,7 +97,19 @@ std::vector<Point> stretched(const std::vector<Point>& way, Point from, Point to
 
 bool isLedByHand(const Diagram& diagram, const Wire& wire) {
     const std::vector<Point> way = simplified(wire.points);
-    return isOrthogonal(way) && way != routeWire(diagram, wire.from, wire.to);
+    const auto from = diagram.anchor(wire.from), to = diagram.anchor(wire.to);
+    if (!from || !to || !isOrthogonal(way)) return false;
+    const auto asRead = route(*from, diagram.direction(wire.from), *to, diagram.direction(wire.to));
+    return way != simplified(asRead) && way != routeWire(diagram, wire.from, wire.to);
+}
+
+std::vector<Point> keptWay(const Wire& wire, const Diagram& before, const Diagram& after) {
+    const auto from = after.anchor(wire.from), to = after.anchor(wire.to);
+    if (!from || !to) return {};
+    const std::vector<Point> was = simplified(wire.points);
+    std::vector<Point> way = stretched(was, *from, *to);
+    if (way.empty() || !isLedByHand(before, wire)) return {};
+    return crossesBlock(after, way) && !crossesBlock(before, was) ? std::vector<Point>() : way;
 }
 
 }  // namespace analogon::ui
