@@ -42,7 +42,7 @@ TEST(ModelFacts, InputsAreThoseThatAreDeclaredAndNotWhatEventsBringAlong) {
     for (const std::string& name : namesOf(facts.variables)) {
         EXPECT_FALSE(name.starts_with("pre(")) << name;
         EXPECT_FALSE(name.starts_with("initial(")) << name;
-        EXPECT_FALSE(name.starts_with("sample(")) << name;
+        EXPECT_FALSE(name.starts_with("$")) << name;
     }
 }
 

@@ -14,8 +14,10 @@ std::string unitOf(const std::vector<SignalFact>& facts, const std::string& sign
 
 namespace {
 
-/// What the simulation alone knows, "pre(v)" and "initial()": nobody measures it.
-bool isOfEvents(const FlatVariable& v) { return v.causality == FlatCausality::Input && v.isProtected; }
+/// What the simulation alone knows, "pre(v)", "initial()" and "$when1": nobody measures it or asks for it.
+bool isOfEvents(const FlatVariable& v) {
+    return v.isProtected && (v.causality == FlatCausality::Input || v.name.starts_with('$'));
+}
 
 }  // namespace
 
