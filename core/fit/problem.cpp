@@ -139,10 +139,11 @@ bool actsEverywhere(const FitProblem& problem, Eigen::Index parameter) {
 
 Text describe(const SimulationFailure& failure, const std::string& experiment) {
     const Text reason(failure.reason, {}, failure.reason);  // one of a few
-    if (failure.variable.empty())
-        return phrase("experiment '{}' failed at t = {:.6g} s: {}", experiment, failure.time, reason);
-    return phrase("experiment '{}' failed at t = {:.6g} s: {} ({})", experiment, failure.time, reason,
-                  failure.variable);
+    const Text told = failure.variable.empty()
+                          ? phrase("experiment '{}' failed at t = {:.6g} s: {}", experiment, failure.time, reason)
+                          : phrase("experiment '{}' failed at t = {:.6g} s: {} ({})", experiment, failure.time, reason,
+                                   failure.variable);
+    return failure.cause.empty() ? told : phrase("{}: {}", told, failure.cause);
 }
 
 /// What the clock of an output is ahead by at these values, and which fit parameter it is (-1: none).
@@ -440,7 +441,9 @@ Text failureAt(const FitProblem& problem, const Eigen::VectorXd& values, const S
     const Linearisation line = linearise(problem, values, false, {}, options, progress);
     if (line.ok || line.trajectories.empty()) return {};
     const int experiment = static_cast<int>(line.trajectories.size()) - 1;  // it ends with the first that fails
-    const Text cause = causeOf(problem, experiment, values, line.trajectories.back().failure, options, progress);
+    const SimulationFailure& failure = line.trajectories.back().failure;
+    if (!failure.cause.empty()) return line.failure;  // it is told there
+    const Text cause = causeOf(problem, experiment, values, failure, options, progress);
     return cause.empty() ? line.failure : phrase("{}: {}", line.failure, cause);
 }
 

@@ -241,6 +241,32 @@ TEST(FitThroughEvents, FindsTheOptimumOfABouncingBall) { EXPECT_LT(excessOf(ball
 
 TEST(FitThroughEvents, FindsTheOptimumOfDryFriction) { EXPECT_LT(std::abs(excessOf(shaft(ownShaft()))), 1e-5); }
 
+TEST(FitThroughEvents, SaysWhyTheEventsDoNotGoOn) {
+    Case c;
+    c.task = taskOf(R"(model Limited
+  parameter Real k = 1;
+  Real x(start = 0, fixed = true);
+  output Real y = x;
+equation
+  der(x) = k;
+  assert(x < 0.5, "too far");
+  when x > 0.2 then
+    reinit(x, x);
+  end when;
+end Limited;
+)",
+                    "Limited");
+    c.task.parameters = {{"k", "", 1, 0.5, 2}};
+    for (int k = 0; k < 100; ++k) c.time.push_back(0.01 * k);
+    const std::string message = c.fitted(std::vector<double>(100, 0.0)).message.english();
+    const std::size_t reason = message.find("the events do not go on");
+    ASSERT_NE(reason, std::string::npos) << message;
+    const std::size_t cause = message.find("too far");
+    ASSERT_NE(cause, std::string::npos) << message;
+    EXPECT_LT(reason, cause);
+    EXPECT_EQ(message.find("too far", cause + 1), std::string::npos) << message;
+}
+
 // Of 200 recordings the scatter itself is known to 5 %.
 TEST(FitThroughEvents, StandardErrorsOfABouncingBallAreThoseOfManyRecordings) {
     for (const double ratio : errorRatios(ball(), 200)) EXPECT_NEAR(ratio, 1, 0.1);
