@@ -22,6 +22,7 @@
 #include "core/export/fmi2_text.hpp"
 #include "core/export/fmu_model.hpp"
 #include "core/export/fmu_text.hpp"
+#include "core/flat/free_ordinates.hpp"
 #include "core/flat/parameter_change.hpp"
 #include "core/study/present_values.hpp"
 
@@ -183,10 +184,13 @@ Outcome<FmuModel> fmuModel(const Study& given) {
     const Recording* const experiment = *first ? &**first : nullptr;
     const Outcome<Library> library = studyLibrary(*study);
     if (!library) return library.diagnostics();
-    Outcome<FlatModel> flattened = flatten(*library, study->className);
     std::vector<std::string> started;  // by the experiment, at values of its own
     if (experiment)
         for (const RecordingStart& start : experiment->starts) started.push_back(start.parameter);
+    std::vector<std::string> free = started;
+    for (const auto& [name, parameter] : study->parameters)
+        if (parameter.fit) free.push_back(name);
+    Outcome<FlatModel> flattened = flatten(*library, study->className, free);
     if (flattened) flattened = withStarts(std::move(*flattened), started, StartTold::Always);
     if (!flattened) return flattened.diagnostics();
     const auto flat = std::make_shared<const FlatModel>(std::move(*flattened));

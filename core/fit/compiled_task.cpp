@@ -4,6 +4,7 @@
 
 #include "core/eval/event_parts.hpp"
 #include "core/fit/clock.hpp"
+#include "core/flat/free_ordinates.hpp"
 #include "core/flat/messages.hpp"
 #include "core/flat/parameter_change.hpp"
 
@@ -65,13 +66,15 @@ Diagnostics checkNames(const FlatModel& model, const std::vector<std::string>& n
 }  // namespace
 
 Outcome<CompiledTask> compiled(const EstimationTask& task, const std::vector<std::string>& alsoKeep) {
-    Outcome<FlatModel> flat = flatten(task.library, task.className);
+    const std::vector<std::string> keep = namesToKeep(task, alsoKeep);
+    std::vector<std::string> free = keep;
+    if (task.change) free.push_back(task.change->parameter);
+    Outcome<FlatModel> flat = flatten(task.library, task.className, free);
     if (!flat) return flat.diagnostics();
     if (task.change && task.change->input.empty())
         flat = withChange(std::move(*flat), task.change->parameter, task.change->width);
     else if (task.change)
         flat = withDependence(std::move(*flat), task.change->parameter, task.change->input);
-    const std::vector<std::string> keep = namesToKeep(task, alsoKeep);
     if (flat) flat = withStarts(std::move(*flat), keep);
     if (flat && task.imposed) flat = withImposed(std::move(*flat), task.imposed->variable, task.imposed->input);
     if (!flat) return flat.diagnostics();

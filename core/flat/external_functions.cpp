@@ -122,6 +122,28 @@ private:
         return work_.translator->setLocal(external_.arguments.back().name.parts.front().identifier, std::move(both));
     }
 
+    /// The values of the table. Abscissas shape the equations, and all of it does where slopes are chosen by the grid.
+    std::optional<Matrix> matrix(bool isSurface, bool isStructural, OpenEntries& open) {
+        const Value& given = arguments_[2];
+        if (given.dimensions.size() != 2) return std::nullopt;
+        Matrix values{static_cast<std::size_t>(given.dimensions[0]), static_cast<std::size_t>(given.dimensions[1]), {}};
+        for (std::size_t i = 0; i < given.elements.size(); ++i) {
+            const bool isAbscissa = i % values.columns == 0 || (isSurface && i < values.columns);
+            if (isStructural || isAbscissa) {
+                const auto number = work_.translator->constantNumber(given.elements[i], true);
+                if (!number) return std::nullopt;
+                values.values.push_back(*number);
+                continue;
+            }
+            const auto ordinate = work_.translator->ordinate(given.elements[i]);
+            if (!ordinate) return std::nullopt;
+            const bool isNumber = pool_.isConstant(*ordinate);
+            values.values.push_back(isNumber ? pool_[*ordinate].value : 0);
+            if (!isNumber) open.entries.emplace(i, *ordinate);
+        }
+        return values;
+    }
+
     bool make(const std::string& which) {
         const bool isTime = which == "TimeTable", isSurface = which == "Table2D";
         const auto file = text(0), name = text(1);
@@ -130,16 +152,18 @@ private:
         const std::size_t rest = isTime ? first + 5 : first + 3;
         const auto delimiter = text(rest);
         const auto header = number(rest + 1);
-        auto values = numbers(2);
-        if (!file || !name || !smoothness || !extrapolation || !values || arguments_[2].dimensions.size() != 2)
+        const auto smooth = static_cast<Smoothness>(static_cast<int>(smoothness.value_or(1)));
+        OpenEntries open{&pool_, {}};
+        auto entries = matrix(isSurface, isSurface && smooth == Smoothness::Akima, open);
+        if (!file || !name || !smoothness || !extrapolation || !entries)
             return refuse(phrase("the table of '{}' must be known before the simulation", call_.name.text()));
-        Matrix matrix{static_cast<std::size_t>(arguments_[2].dimensions[0]),
-                      static_cast<std::size_t>(arguments_[2].dimensions[1]), std::move(*values)};
+        Matrix& matrix = *entries;
         if (*file != "NoName" && !file->empty()) {
             Outcome<Matrix> read =
                 readTableFile(*file, *name, delimiter.value_or(","), static_cast<int>(header.value_or(0)));
             if (!read) return refuse(read.diagnostics());
             matrix = std::move(*read);
+            open.entries.clear();
         } else if (*name != "NoName") {
             return refuse(phrase("the table \"{}\" of a function 'usertab' is not supported", *name),
                           phrase("give the table by its values or in a file"));
@@ -150,13 +174,12 @@ private:
             if (!given) return refuse(phrase("the columns of the table must be known before the simulation"));
             for (const double column : *given) columns.push_back(static_cast<int>(column));
         }
-        const auto smooth = static_cast<Smoothness>(static_cast<int>(*smoothness));
         const auto beyond = static_cast<TableExtrapolation>(static_cast<int>(*extrapolation));
         Outcome<ExternalTable> made =
-            isSurface ? twoDimensional(matrix, smooth, beyond)
+            isSurface ? twoDimensional(matrix, smooth, beyond, open)
             : isTime  ? timeTable(matrix, columns, smooth, beyond, number(5).value_or(0), number(first + 2).value_or(0),
-                                  static_cast<TimeEvents>(static_cast<int>(number(first + 3).value_or(1))))
-                      : oneDimensional(matrix, columns, smooth, beyond);
+                                  static_cast<TimeEvents>(static_cast<int>(number(first + 3).value_or(1))), open)
+                      : oneDimensional(matrix, columns, smooth, beyond, open);
         if (!made) return refuse(made.diagnostics());
         Value value;
         value.object = static_cast<int>(work_.tables.size());
@@ -168,7 +191,7 @@ private:
         const auto which = number(1);
         if (!which || *which < 1 || *which > static_cast<double>(table.columns.size()) || arguments_.size() < 3)
             return refuse(phrase("the column of the table must be known before the simulation"));
-        const LookupTable& lookup = table.columns[static_cast<std::size_t>(*which) - 1];
+        const TableSum& lookup = table.columns[static_cast<std::size_t>(*which) - 1];
         ExpressionId at = arguments_[2].elements[0];
         if (table.kind == ExternalTable::Kind::Time && arguments_.size() > 3) {
             // Up to the next event it is the piece before it that counts, then the one behind.
@@ -176,16 +199,16 @@ private:
             at = pool_.binary(Operation::Min, pool_.add(at, rounding),
                               pool_.subtract(arguments_[3].elements[0], rounding));
         }
-        return give(pool_.table(lookup, at));
+        return give(lookup.at(pool_, at));
     }
 
     bool surface(const ExternalTable& table) {
         if (arguments_.size() < 3) return refuse(phrase("the table has no values"));
         const ExpressionId u1 = arguments_[1].elements[0], u2 = arguments_[2].elements[0];
-        const auto sum = [&](const std::vector<LookupTable>& along, const std::vector<LookupTable>& across) {
+        const auto sum = [&](const std::vector<TableSum>& along, const std::vector<LookupTable>& across) {
             ExpressionId all = pool_.constant(0);
             for (std::size_t j = 0; j < along.size(); ++j)
-                all = pool_.add(all, pool_.multiply(pool_.table(across[j], u2), pool_.table(along[j], u1)));
+                all = pool_.add(all, pool_.multiply(pool_.table(across[j], u2), along[j].at(pool_, u1)));
             return all;
         };
         const ExpressionId inside = sum(table.along, table.across);

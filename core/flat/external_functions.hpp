@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/flat/expression.hpp"
+#include "core/flat/table_sum.hpp"
 #include "core/syntax/ast.hpp"
 
 namespace analogon {
@@ -15,10 +15,12 @@ struct Scope;
 struct ExternalTable {
     enum class Kind { OneDimension, TwoDimensions, Time };
     Kind kind{Kind::OneDimension};
-    std::vector<LookupTable> columns;  // one dimension, time: by output
+    std::vector<TableSum> columns;  // one dimension, time: by output
     // Two dimensions: the value is sum_j across[j](u2) * along[j](u1).
-    std::vector<LookupTable> along, across;
-    std::vector<LookupTable> alongBeyond, acrossBeyond;  // the same outside of the grid; empty: as inside
+    std::vector<TableSum> along;
+    std::vector<LookupTable> across;
+    std::vector<TableSum> alongBeyond;  // the same outside of the grid; empty: as inside
+    std::vector<LookupTable> acrossBeyond;
     LookupTable next;  // time: from a time to the next event, or, with a period, to how long it takes till there
     double start{}, rounding{};
     bool isPeriodic{};

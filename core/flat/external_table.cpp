@@ -6,60 +6,6 @@
 namespace analogon {
 namespace {
 
-double weighted(double a, double wa, double b, double wb) {
-    return wa + wb > 0 ? (wa * a + wb * b) / (wa + wb) : 0.5 * (a + b);
-}
-
-/// Divided differences with two more on each side, so that the second differences go on as they are.
-std::vector<double> extendedSecants(const std::vector<double>& x, const std::vector<double>& y) {
-    const std::size_t n = x.size();
-    std::vector<double> d(n + 3);
-    for (std::size_t i = 0; i + 1 < n; ++i) d[i + 2] = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
-    d[1] = 2 * d[2] - d[3 < n + 1 ? 3 : 2];
-    d[0] = 2 * d[1] - d[2];
-    d[n + 1] = 2 * d[n] - d[n - 1 > 1 ? n - 1 : n];
-    d[n + 2] = 2 * d[n + 1] - d[n];
-    return d;
-}
-
-std::vector<double> akima(const std::vector<double>& x, const std::vector<double>& y, bool isModified) {
-    const std::vector<double> d = extendedSecants(x, y);
-    std::vector<double> slopes(x.size());
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        double left = std::fabs(d[i + 1] - d[i]), right = std::fabs(d[i + 3] - d[i + 2]);
-        if (isModified) {
-            left += 0.5 * std::fabs(d[i + 1] + d[i]);
-            right += 0.5 * std::fabs(d[i + 3] + d[i + 2]);
-            slopes[i] = left + right > 0 ? weighted(d[i + 1], right, d[i + 2], left) : 0;
-        } else {
-            slopes[i] = weighted(d[i + 1], right, d[i + 2], left);
-        }
-    }
-    return slopes;
-}
-
-std::vector<double> monotone(const std::vector<double>& x, const std::vector<double>& y, bool isSteffen) {
-    const std::size_t n = x.size();
-    std::vector<double> h(n - 1), d(n - 1), slopes(n);
-    for (std::size_t i = 0; i + 1 < n; ++i) {
-        h[i] = x[i + 1] - x[i];
-        d[i] = (y[i + 1] - y[i]) / h[i];
-    }
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-        if (d[i - 1] * d[i] <= 0) continue;
-        if (isSteffen) {
-            const double p = (d[i - 1] * h[i] + d[i] * h[i - 1]) / (h[i - 1] + h[i]);
-            slopes[i] = std::copysign(std::min({2 * std::fabs(d[i - 1]), 2 * std::fabs(d[i]), std::fabs(p)}), d[i]);
-        } else {
-            const double w1 = h[i - 1] + 2 * h[i], w2 = 2 * h[i - 1] + h[i];
-            slopes[i] = (w1 + w2) / (w1 / d[i - 1] + w2 / d[i]);
-        }
-    }
-    slopes.front() = d.front();
-    slopes.back() = d.back();
-    return slopes;
-}
-
 LookupTable::Extrapolation extrapolationOf(TableExtrapolation given, Smoothness smoothness) {
     switch (given) {
         case TableExtrapolation::Periodic:
@@ -97,21 +43,6 @@ std::optional<Diagnostic> unsorted(const std::vector<double>& x, bool mayJump) {
     return std::nullopt;
 }
 
-}  // namespace
-
-std::vector<double> cubicSlopes(const std::vector<double>& x, const std::vector<double>& y, Smoothness smoothness) {
-    switch (smoothness) {
-        case Smoothness::FritschButland:
-            return monotone(x, y, false);
-        case Smoothness::Steffen:
-            return monotone(x, y, true);
-        default:
-            return akima(x, y, smoothness == Smoothness::ModifiedAkima);
-    }
-}
-
-namespace {
-
 /// The last two points say no slope where they are a jump: the table goes on as it ends there.
 void goOnLevel(std::vector<double>& x, std::vector<double>& y) {
     const std::size_t n = x.size();
@@ -144,8 +75,52 @@ void goOnFromSteps(std::vector<double>& x, std::vector<double>& y) {
 
 }  // namespace
 
+namespace {
+
+/// A column over the abscissas x.
+TableSum columnOf(const std::vector<double>& x, const Ordinates& y, Smoothness smoothness,
+                  TableExtrapolation extrapolation, ExpressionPool* pool) {
+    const bool isStraight = smoothness == Smoothness::Linear || smoothness == Smoothness::Constant || x.size() < 3;
+    if (!isStraight && y.isOpen()) {
+        LookupTable form;
+        form.x = x;
+        form.extrapolation = extrapolationOf(extrapolation, smoothness);
+        return cubicSum(*pool, form, y, slopesOf(*pool, y, [&](const std::vector<PoolNumber>& values) {
+            return cubicSlopes(x, values, smoothness);
+        }));
+    }
+    return linearSum(y, [&](std::vector<double> values) {
+        std::vector<double> at = x;
+        Smoothness pieces = smoothness;
+        if (extrapolation == TableExtrapolation::LastTwoPoints) {
+            if (smoothness == Smoothness::Constant && x.size() > 1) {
+                goOnFromSteps(at, values);
+                pieces = Smoothness::Linear;
+            } else if (smoothness == Smoothness::Linear) {
+                goOnLevel(at, values);
+            }
+        }
+        return lookupOf(std::move(at), std::move(values), pieces, extrapolation);
+    });
+}
+
+/// A column of the table, with what stands for numbers in it.
+Ordinates ordinatesOf(const Matrix& table, std::size_t column, const OpenEntries& open) {
+    Ordinates y(table.rows);
+    for (std::size_t i = 0; i < table.rows; ++i) {
+        const auto entry = open.entries.find(i * table.columns + column);
+        if (entry == open.entries.end())
+            y.numbers[i] = table(i, column);
+        else
+            y.set(*open.pool, i, entry->second);
+    }
+    return y;
+}
+
+}  // namespace
+
 Outcome<ExternalTable> oneDimensional(const Matrix& table, const std::vector<int>& columns, Smoothness smoothness,
-                                      TableExtrapolation extrapolation) {
+                                      TableExtrapolation extrapolation, const OpenEntries& open) {
     if (table.rows == 0 || table.columns < 2) return error(phrase("the table has no values"));
     ExternalTable result;
     std::vector<double> x(table.rows);
@@ -154,19 +129,8 @@ Outcome<ExternalTable> oneDimensional(const Matrix& table, const std::vector<int
     for (const int column : columns) {
         if (column < 1 || static_cast<std::size_t>(column) > table.columns)
             return error(phrase("the table has {} columns, not {}", table.columns, column));
-        std::vector<double> y(table.rows);
-        for (std::size_t i = 0; i < table.rows; ++i) y[i] = table(i, static_cast<std::size_t>(column) - 1);
-        std::vector<double> at = x;
-        Smoothness pieces = smoothness;
-        if (extrapolation == TableExtrapolation::LastTwoPoints) {
-            if (smoothness == Smoothness::Constant && table.rows > 1) {
-                goOnFromSteps(at, y);
-                pieces = Smoothness::Linear;
-            } else if (smoothness == Smoothness::Linear) {
-                goOnLevel(at, y);
-            }
-        }
-        result.columns.push_back(lookupOf(std::move(at), std::move(y), pieces, extrapolation));
+        const Ordinates y = ordinatesOf(table, static_cast<std::size_t>(column) - 1, open);
+        result.columns.push_back(columnOf(x, y, smoothness, extrapolation, open.pool));
     }
     result.first = x.front();
     result.last = x.back();
@@ -259,7 +223,8 @@ void akimaSurface(Surface& s) {
 
 /// The surface as a sum over the lines of the grid: each is a table along u1 times a basis function of u2, which is 1
 /// at its line and 0 at the others; for cubic pieces one more, with slope 1, carries the slope across.
-Outcome<ExternalTable> twoDimensional(const Matrix& table, Smoothness smoothness, TableExtrapolation extrapolation) {
+Outcome<ExternalTable> twoDimensional(const Matrix& table, Smoothness smoothness, TableExtrapolation extrapolation,
+                                      const OpenEntries& open) {
     if (table.rows < 2 || table.columns < 2) return error(phrase("the table has no values"));
     if (smoothness != Smoothness::Linear && smoothness != Smoothness::Constant && smoothness != Smoothness::Akima)
         return error(
@@ -298,26 +263,30 @@ Outcome<ExternalTable> twoDimensional(const Matrix& table, Smoothness smoothness
         std::vector<double> basis(m), none(m);
         basis[j] = 1;
         if (!isCubic || m == 1) {
-            result.along.push_back(lookup(s.x, line(s.z, j), slopesAlong));
+            Ordinates z = ordinatesOf(table, j + 1, open);
+            z.numbers.erase(z.numbers.begin());  // the grid line
+            z.open.erase(z.open.begin());
+            result.along.push_back(
+                linearSum(z, [&](std::vector<double> values) { return lookup(s.x, std::move(values), slopesAlong); }));
             result.across.push_back(lookup(s.y, basis, {}));
             continue;
         }
         if (n == 1) {  // the slope across is that of the one line
             const std::vector<double> slopes = cubicSlopes(s.y, s.z, smoothness);
-            result.along.push_back(lookup(s.x, {1}, {}));
+            result.along.push_back({lookup(s.x, {1}, {}), {}});
             result.across.push_back(lookup(s.y, s.z, slopes));
             break;
         }
-        result.along.push_back(lookup(s.x, line(s.z, j), line(s.zx, j)));
+        result.along.push_back({lookup(s.x, line(s.z, j), line(s.zx, j)), {}});
         result.across.push_back(lookup(s.y, basis, none));
-        result.along.push_back(lookup(s.x, line(s.zy, j), line(s.zxy, j)));
+        result.along.push_back({lookup(s.x, line(s.zy, j), line(s.zxy, j)), {}});
         result.across.push_back(lookup(s.y, none, basis));
     }
     result.first = s.x.front(), result.last = s.x.back();
     result.first2 = s.y.front(), result.last2 = s.y.back();
     // constant segments that go on by their last two points are planes outside of the grid, in both directions
     if (smoothness == Smoothness::Constant && extrapolation == TableExtrapolation::LastTwoPoints && (n > 1 || m > 1)) {
-        const Outcome<ExternalTable> planes = twoDimensional(table, Smoothness::Linear, extrapolation);
+        const Outcome<ExternalTable> planes = twoDimensional(table, Smoothness::Linear, extrapolation, open);
         if (!planes) return planes;
         result.alongBeyond = planes->along;
         result.acrossBeyond = planes->across;
@@ -326,16 +295,18 @@ Outcome<ExternalTable> twoDimensional(const Matrix& table, Smoothness smoothness
 }
 
 Outcome<ExternalTable> timeTable(const Matrix& table, const std::vector<int>& columns, Smoothness smoothness,
-                                 TableExtrapolation extrapolation, double start, double shift, TimeEvents events) {
-    Outcome<ExternalTable> made = oneDimensional(table, columns, smoothness, extrapolation);
+                                 TableExtrapolation extrapolation, double start, double shift, TimeEvents events,
+                                 const OpenEntries& open) {
+    Outcome<ExternalTable> made = oneDimensional(table, columns, smoothness, extrapolation, open);
     if (!made) return made;
     ExternalTable& result = *made;
     result.kind = ExternalTable::Kind::Time;
     result.start = start;
-    for (LookupTable& column : result.columns) {
-        column.begin = start;
-        column.shift = shift;
-    }
+    for (TableSum& column : result.columns)
+        column.forEach([&](LookupTable& one) {
+            one.begin = start;
+            one.shift = shift;
+        });
     const double first = result.first, last = result.last;
     result.isPeriodic = extrapolation == TableExtrapolation::Periodic && last > first;
     // a start before the table, as "from ever" (-1e60), says nothing of the times at which it is looked up

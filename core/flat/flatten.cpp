@@ -5,8 +5,8 @@
 #include "core/flat/binder.hpp"
 #include "core/flat/connections.hpp"
 #include "core/flat/equations.hpp"
-#include "core/flat/flat_model.hpp"
 #include "core/flat/flattening.hpp"
+#include "core/flat/free_ordinates.hpp"
 #include "core/flat/instantiator.hpp"
 #include "core/flat/unit_check.hpp"
 
@@ -43,11 +43,12 @@ void run(Flattening& work, const LibraryClass& definition) {
 
 namespace {
 
-Outcome<FlatModel> flattened(const Library& library, std::string_view className) {
+Outcome<FlatModel> flattened(const Library& library, std::string_view className, const std::vector<std::string>& free) {
     const LibraryClass* definition = library.find(className);
     if (!definition)
         return error(phrase("the class '{}' is not known", className), {}, didYouMean(className, library.names()));
     Flattening work(library);
+    work.free.insert(free.begin(), free.end());
     work.model.name = definition->qualifiedName;
     run(work, *definition);
     if (work.messages.hasErrors()) return work.messages.diagnostics();
@@ -57,7 +58,11 @@ Outcome<FlatModel> flattened(const Library& library, std::string_view className)
 }  // namespace
 
 Outcome<FlatModel> flatten(const Library& library, std::string_view className) {
-    return guardedOutcome([&] { return flattened(library, className); });
+    return flatten(library, className, {});
+}
+
+Outcome<FlatModel> flatten(const Library& library, std::string_view className, const std::vector<std::string>& free) {
+    return guardedOutcome([&] { return flattened(library, className, free); });
 }
 
 }  // namespace analogon

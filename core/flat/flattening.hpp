@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <memory>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -49,6 +50,7 @@ struct Flattening {
     std::unique_ptr<Connections> connections;
     std::unique_ptr<Events> events;
     std::vector<ExternalTable> tables;  // the external objects
+    std::set<std::string> free;         // parameters that stay themselves in the ordinates of tables
 
     /// Library lookup from a class outward, remembered.
     const LibraryClass* lookup(const syntax::Name& name, const LibraryClass* from);

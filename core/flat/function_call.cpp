@@ -170,6 +170,21 @@ private:
                     expressions_[i]->span);
     }
 
+    std::optional<Ordinates> ordinateVector(std::size_t i) {
+        const auto value = numeric(i);
+        if (!value) return std::nullopt;
+        Ordinates y(value->elements.size());
+        bool isKnown = value->dimensions.size() == 1;
+        for (std::size_t k = 0; k < value->elements.size() && isKnown; ++k) {
+            const auto ordinate = work_.translator->ordinate(value->elements[k]);
+            isKnown = ordinate.has_value();
+            if (ordinate) y.set(pool_, k, *ordinate);
+        }
+        if (isKnown) return y;
+        return fail(phrase("the table of '{}' must be a list of numbers known before the simulation", name_),
+                    expressions_[i]->span);
+    }
+
     std::optional<int> constantSize(std::size_t i) {
         const auto extent =
             work_.translator->constantInteger(*expressions_[i], scope_, phrase("an argument of '{}'", name_));
@@ -441,20 +456,18 @@ private:
     std::optional<Value> tableOf(std::size_t at, std::size_t abscissas, std::size_t ordinates,
                                  LookupTable::Interpolation interpolation) {
         auto x = numeric(at);
-        const auto xs = constantVector(abscissas), ys = constantVector(ordinates);
+        const auto xs = constantVector(abscissas);
+        const auto ys = ordinateVector(ordinates);
         if (!x || !xs || !ys) return std::nullopt;
-        if (xs->empty() || xs->size() != ys->size())
-            return fail(phrase("the table has {} abscissas and {} ordinates", xs->size(), ys->size()));
+        if (xs->empty() || xs->size() != ys->numbers.size())
+            return fail(phrase("the table has {} abscissas and {} ordinates", xs->size(), ys->numbers.size()));
         for (std::size_t i = 1; i < xs->size(); ++i)
             if (!((*xs)[i] > (*xs)[i - 1]))
                 return fail(phrase("the abscissas of the table must rise: {} follows {}", (*xs)[i], (*xs)[i - 1]),
                             expressions_[abscissas]->span);
-        LookupTable lookup;
-        lookup.x = *xs;
-        lookup.y = *ys;
-        lookup.interpolation = interpolation;
+        const TableSum lookup = curveThrough(pool_, *xs, *ys, interpolation);
         x->type = FlatType::Real;
-        for (ExpressionId& element : x->elements) element = pool_.table(lookup, element);
+        for (ExpressionId& element : x->elements) element = lookup.at(pool_, element);
         return x;
     }
 

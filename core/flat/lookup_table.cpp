@@ -2,37 +2,10 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/flat/expression.hpp"
+#include "core/flat/cubic_slopes.hpp"
 
 namespace analogon {
 namespace {
-
-/// Node slopes which keep the cubic monotone on each piece (Fritsch & Carlson 1980, section 4).
-std::vector<double> monotoneSlopes(const std::vector<double>& x, const std::vector<double>& y) {
-    const std::size_t n = x.size();
-    std::vector<double> slopes(n, 0.0);
-    if (n < 2) return slopes;
-    std::vector<double> secants(n - 1);
-    for (std::size_t i = 0; i + 1 < n; ++i) secants[i] = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
-    slopes.front() = secants.front();
-    slopes.back() = secants.back();
-    for (std::size_t i = 1; i + 1 < n; ++i)
-        slopes[i] = secants[i - 1] * secants[i] <= 0 ? 0.0 : 0.5 * (secants[i - 1] + secants[i]);
-    for (std::size_t i = 0; i + 1 < n; ++i) {
-        if (secants[i] == 0) {
-            slopes[i] = slopes[i + 1] = 0;
-            continue;
-        }
-        const double alpha = slopes[i] / secants[i];
-        const double beta = slopes[i + 1] / secants[i];
-        const double radius = std::hypot(alpha, beta);
-        if (radius > 3) {
-            slopes[i] = 3 / radius * alpha * secants[i];
-            slopes[i + 1] = 3 / radius * beta * secants[i];
-        }
-    }
-    return slopes;
-}
 
 /// n-th derivative at h of c0 + c1 h + c2 h^2 + c3 h^3.
 double cubicDerivative(double c0, double c1, double c2, double c3, double h, int n) {
@@ -69,7 +42,7 @@ double interpolate(const LookupTable& table, double at, int n) {
                                                           : cubicDerivative(y[i], secant, 0, 0, at - x[i], n);
 
     std::vector<double> computed;
-    if (table.slopes.size() != x.size()) computed = monotoneSlopes(x, y);
+    if (table.slopes.size() != x.size()) computed = limitedSlopes(x, y);
     const auto& slopes = computed.empty() ? table.slopes : computed;
     if (at < x.front()) return cubicDerivative(y.front(), slopes.front(), 0, 0, at - x.front(), n);
     if (at > x.back()) return cubicDerivative(y.back(), slopes.back(), 0, 0, at - x.back(), n);
@@ -101,7 +74,7 @@ double extrapolate(const LookupTable& table, double at, int n) {
 }  // namespace
 
 void LookupTable::prepare() {
-    if (interpolation == Interpolation::MonotoneCubic) slopes = monotoneSlopes(x, y);
+    if (interpolation == Interpolation::MonotoneCubic) slopes = limitedSlopes(x, y);
 }
 
 double LookupTable::value(double at) const { return extrapolate(*this, at, order); }

@@ -41,6 +41,9 @@ public:
     std::optional<int> constantInteger(const syntax::Expression& expression, const Scope& scope, const Text& what);
     std::optional<bool> constantBoolean(const syntax::Expression& expression, const Scope& scope, const Text& what);
     std::optional<double> constantNumber(ExpressionId id, bool isStructural);
+    /// The same as an expression, of what a table holds at an abscissa: itself where it depends on a parameter that is
+    /// left free (Flattening::free), else a number.
+    std::optional<ExpressionId> ordinate(ExpressionId id);
     /// Whether the expression depends on parameters and constants only.
     bool isParametric(ExpressionId id) const;
     /// The values of Boolean or of an enumeration that is named as a size or a range; nothing: another expression.
@@ -118,6 +121,10 @@ private:
     std::optional<Value> selected(const Expression& expression, const Scope& scope);
     std::optional<Value> matrix(const Expression& expression, const Scope& scope);
     std::optional<Value> concatenated(const std::vector<Value>& parts, std::size_t along, const Span& span);
+
+    static constexpr int deepestNesting = 400;
+
+    bool isFree(ExpressionId id);
 
     Flattening& work_;
     std::vector<std::pair<std::string, Value>> iterators_;     // and the variables of the function under way

@@ -8,7 +8,7 @@
 #include "core/base/unit.hpp"
 #include "core/fit/clock.hpp"
 #include "core/fit/held_input.hpp"
-#include "core/flat/flat_model.hpp"
+#include "core/flat/free_ordinates.hpp"
 #include "core/flat/parameter_change.hpp"
 #include "core/measure/channel_place.hpp"
 #include "core/measure/join.hpp"
@@ -630,7 +630,9 @@ Outcome<EstimationTask> builtTask(const Study& study, UnusedColumns unused, std:
                                         phrase("there is no class '{}' in the models of the study", study.className),
                                         meantOrAvailable(study.className, own, phrase("There is no class.")));
     }
-    const Outcome<FlatModel> model = flatten(*library, study.className);
+    std::vector<std::string> named;
+    for (const auto& [name, parameter] : study.parameters) named.push_back(name);
+    const Outcome<FlatModel> model = flatten(*library, study.className, named);
     if (!model) return model.diagnostics();
     Diagnostics said = library.diagnostics();
     for (const Diagnostics& more : {model.diagnostics(), outsideRange(*model, study)})

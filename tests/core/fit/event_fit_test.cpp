@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <random>
 
@@ -235,6 +236,41 @@ end Shaft;
                                  "Shaft");
     task.parameters = {{"J", "kg.m2", 0.06, 0.01, 0.5}, {"c", "N.m", 0.5, 0.05, 1}, {"k", "N.m", 0.6, 0.05, 3}};
     return task;
+}
+
+/// The same shaft with the bearing of the Modelica Standard Library; its friction stands in a table.
+EstimationTask bearingShaft(const char* library) {
+    EstimationTask task;
+    task.model = std::make_shared<Source>("model.mo", R"(model Shaft
+  Modelica.Blocks.Interfaces.RealInput u;
+  Modelica.Blocks.Interfaces.RealOutput y;
+  Modelica.Mechanics.Rotational.Sources.Torque drive;
+  Modelica.Mechanics.Rotational.Components.Inertia rotor(J=0.06, phi(fixed=true, start=0), w(fixed=true, start=0));
+  Modelica.Mechanics.Rotational.Components.BearingFriction bearing(tau_pos=[0, 0.5; 20, 0.6]);
+  Modelica.Mechanics.Rotational.Sensors.SpeedSensor tacho;
+equation
+  connect(u, drive.tau);
+  connect(drive.flange, rotor.flange_a);
+  connect(rotor.flange_b, bearing.flange_a);
+  connect(bearing.flange_b, tacho.flange);
+  connect(tacho.w, y);
+end Shaft;
+)");
+    task.className = "Shaft";
+    Outcome<Library> with = Library().withPath(library);
+    if (with) with = with->withSource(task.model);
+    EXPECT_TRUE(with) << format(with.diagnostics());
+    if (with) task.library = std::move(*with);
+    task.parameters = {{"rotor.J", "kg.m2", 0.06, 0.01, 0.5},
+                       {"bearing.tau_pos[1,2]", "N.m", 0.5, 0.05, 1},
+                       {"bearing.tau_pos[2,2]", "N.m", 0.6, 0.05, 3}};
+    return task;
+}
+
+TEST(FitThroughEvents, FindsTheOptimumOfTheTableOfABearing) {
+    const char* const path = std::getenv("MODELICAPATH");
+    if (!path || !*path) GTEST_SKIP() << "MODELICAPATH names no directory with the Modelica Standard Library";
+    EXPECT_LT(std::abs(excessOf(shaft(bearingShaft(path)))), 1e-5);
 }
 
 TEST(FitThroughEvents, FindsTheOptimumOfABouncingBall) { EXPECT_LT(excessOf(ball()), 1e-5); }

@@ -18,14 +18,15 @@ Matrix matrixOf(std::size_t columns, std::vector<double> values) {
 
 double valueOf(const ExternalTable& table, double u1, double u2) {
     double sum = 0;
-    for (std::size_t j = 0; j < table.along.size(); ++j) sum += table.across[j].value(u2) * table.along[j].value(u1);
+    for (std::size_t j = 0; j < table.along.size(); ++j)
+        sum += table.across[j].value(u2) * table.along[j].known.value(u1);
     return sum;
 }
 
 TEST(ExternalTable, ExtrapolatesAsAsked) {
     const Matrix table = matrixOf(2, {1, 10, 2, 20, 4, 60});
     const auto made = [&](TableExtrapolation e, Smoothness s = Smoothness::Linear) {
-        return oneDimensional(table, {2}, s, e)->columns[0];
+        return oneDimensional(table, {2}, s, e)->columns[0].known;
     };
     const LookupTable slope = made(TableExtrapolation::LastTwoPoints), hold = made(TableExtrapolation::Hold),
                       round = made(TableExtrapolation::Periodic), none = made(TableExtrapolation::None);
@@ -58,7 +59,7 @@ TEST(ExternalTable, SmoothCurvesPassThroughTheirPointsAndKeepTheirKind) {
     for (const Smoothness kind : {Smoothness::FritschButland, Smoothness::Steffen}) {
         Matrix table{6, 2, {}};
         for (std::size_t i = 0; i < 6; ++i) table.values.insert(table.values.end(), {x[i], stair[i]});
-        const LookupTable curve = oneDimensional(table, {2}, kind, TableExtrapolation::Hold)->columns[0];
+        const LookupTable curve = oneDimensional(table, {2}, kind, TableExtrapolation::Hold)->columns[0].known;
         double before = curve.value(0);
         for (double u = 0; u <= 6; u += 0.01) {
             EXPECT_GE(curve.value(u), before - 1e-12) << u;
@@ -98,13 +99,13 @@ TEST(ExternalTable, ATimeTableKnowsItsEvents) {
     EXPECT_DOUBLE_EQ(once->next.value(0.5), 1.5);
     EXPECT_DOUBLE_EQ(once->next.value(1.5), 2.5);
     EXPECT_GT(once->next.value(2.5), 1e100);
-    EXPECT_DOUBLE_EQ(once->columns[0].value(0.4), 0);
-    EXPECT_DOUBLE_EQ(once->columns[0].value(1.5), 3);
+    EXPECT_DOUBLE_EQ(once->columns[0].known.value(0.4), 0);
+    EXPECT_DOUBLE_EQ(once->columns[0].known.value(1.5), 3);
     const auto round =
         timeTable(table, {2}, Smoothness::Linear, TableExtrapolation::Periodic, 0, 0, TimeEvents::AtDiscontinuities);
     ASSERT_TRUE(round);
     EXPECT_NEAR(round->next.value(4.25), 0.75, 1e-12);
-    EXPECT_DOUBLE_EQ(round->columns[0].value(4.25), 0.25);
+    EXPECT_DOUBLE_EQ(round->columns[0].known.value(4.25), 0.25);
 }
 
 /// As the tables of Booleans of the Modelica Standard Library have it: "from ever" must not blur when the next event
@@ -123,7 +124,8 @@ TEST(ExternalTable, ATimeTableFromEverKnowsItsEvents) {
 TEST(ExternalTable, GoesOnLevelBehindAJump) {
     const LookupTable table = oneDimensional(matrixOf(2, {0, 5, 0, 1, 1, 0, 1, 3}), {2}, Smoothness::Linear,
                                              TableExtrapolation::LastTwoPoints)
-                                  ->columns[0];
+                                  ->columns[0]
+                                  .known;
     EXPECT_DOUBLE_EQ(table.value(2.5), 3);
     EXPECT_DOUBLE_EQ(table.derivative(2.5), 0);
     EXPECT_DOUBLE_EQ(table.value(-1), 5);
