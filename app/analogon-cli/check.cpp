@@ -150,12 +150,15 @@ void printSummary(const std::string& description, const FlatModel& flat, const S
         if (v.variability == FlatVariability::Continuous && v.causality != FlatCausality::Input) ++unknowns;
     const auto declared = [&](FlatCausality causality) {
         std::vector<SignalInfo> signals;
-        for (const FlatVariable& v : flat.variables)
-            if (v.causality == causality && !(v.isDiscrete && v.isProtected)) {
+        for (std::uint32_t i = 0; i < flat.variables.size(); ++i) {
+            const FlatVariable& v = flat.variables[i];
+            const bool isOwn = causality != FlatCausality::Input || flat.isInput({i});  // not what events bring along
+            if (v.causality == causality && isOwn && !(v.isDiscrete && v.isProtected)) {
                 signals.emplace_back();
                 signals.back().name = v.name;
                 signals.back().unit = v.unit;
             }
+        }
         return signals;
     };
     const std::vector<SignalInfo> inputs = hybrid ? declared(FlatCausality::Input) : system.inputs();

@@ -25,16 +25,12 @@ struct FreeModel {
     EventRunOptions run;
 };
 
-/// What events bring along, "pre(v)" and "initial()", is no input of the model's own.
-bool isOwnInput(const FlatVariable& v) {
-    return v.causality == FlatCausality::Input && v.name.find('(') == std::string::npos;
-}
-
 Diagnostics undrivenInputs(const FlatModel& model) {
     Diagnostics faults;
-    for (const FlatVariable& v : model.variables)
-        if (isOwnInput(v))
-            faults.push_back(error(phrase("nothing drives the input '{}' of the model", v.name), v.declared,
+    for (std::uint32_t i = 0; i < model.variables.size(); ++i)
+        if (model.isInput({i}))
+            faults.push_back(error(phrase("nothing drives the input '{}' of the model", model[{i}].name),
+                                   model[{i}].declared,
                                    phrase("Connect a source of the library to it (a step, a sine, a table), or import "
                                           "a recording and map a column to it.")));
     return faults;

@@ -55,6 +55,16 @@ TEST_F(CommandLine, ChecksAStudyAndAModel) {
     EXPECT_FALSE(run({"check", directory.string(), "--print", "program"}).out.empty());
 }
 
+TEST_F(CommandLine, ChecksCountOnlyTheInputsThatAModelDeclares) {
+    const fs::path file = scratch / "counter.mo";
+    std::ofstream(file) << "model Counter\n  input Real u;\n  discrete Real n(start = 0, fixed = true);\n"
+                           "  output Real y;\nequation\n  when {initial(), sample(0, 0.1)} then\n"
+                           "    n = pre(n) + u;\n  end when;\n  y = n;\nend Counter;\n";
+    const Result checked = run({"check", file.string()});
+    EXPECT_EQ(checked.status, done) << checked.err;
+    EXPECT_THAT(checked.out, HasSubstr("  inputs      1  u\n")) << "not pre(n), and not when it is sampled";
+}
+
 TEST_F(CommandLine, ChecksPrintTheAlgebraicLoops) {
     const fs::path file = scratch / "loop.mo";
     std::ofstream(file) << "model Loop\n  Real x(start = 1), y;\nequation\n  x^2 + y^2 = 2;\n  y = x^3;\nend Loop;\n";

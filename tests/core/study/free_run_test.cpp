@@ -77,6 +77,16 @@ TEST_F(FreeRun, NamesEachInputThatNothingDrives) {
     EXPECT_THAT(run.diagnostics()[0].hint.english(), ::testing::HasSubstr("Connect a source"));
 }
 
+TEST_F(FreeRun, NamesNoneOfTheInputsThatEventsBringAlong) {
+    const Outcome<RunResult> run = runFreely(studyOf("model M\n  discrete Real n(start = 0, fixed = true);\n"
+                                                     "  output Real y = n;\nequation\n"
+                                                     "  when sample(0.05, 0.1) then\n    n = pre(n) + 1;\n"
+                                                     "  end when;\nend M;\n"),
+                                             1.0, {});
+    ASSERT_TRUE(run) << format(run.diagnostics());
+    EXPECT_DOUBLE_EQ(only(run).outputs[0].simulated.tail(1)[0], 10);
+}
+
 TEST_F(FreeRun, TakesTheValuesThatTheStudyGives) {
     Study study = lag();
     study.parameters["lag.T"].value = 0.1;
