@@ -67,6 +67,7 @@ struct Frontier {
     std::optional<NullModel> origin{};     // of the path: without effects
     std::optional<Node> opening{};         // where the first choice of all led
     std::optional<Whole> whole{};          // the best so far, of named effects: what an interrupted search reports
+    std::optional<Whole> clear{};          // the best so far that was clear, where `whole` is not
     std::optional<Whole> unweighed{};      // better by what a round chose and has not weighed against the rest
     std::vector<CandidateResult> noted{};  // of the path that was walked on last
     std::optional<Finding> begun{};        // the model as given: from there on there is something to report
@@ -77,6 +78,8 @@ struct Frontier {
     /// What a search that is stopped now reports: named effects that are clear by themselves, or that predict clearly
     /// better; null: the model as given.
     Whole* toTell();
+    /// Before `whole` gives way to what explains more, and may be less clear.
+    void keepClear();
 };
 
 class SearchContext {

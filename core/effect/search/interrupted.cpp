@@ -61,9 +61,14 @@ Finding tellWhole(const SearchContext& search, const Node& node, const FlatModel
 
 }  // namespace
 
+void Frontier::keepClear() {
+    if (whole && isClear(*whole)) clear = *whole;
+}
+
 Whole* Frontier::toTell() {
     if (unweighed && isClear(*unweighed)) return &*unweighed;
-    return whole && isClear(*whole) ? &*whole : nullptr;
+    if (whole && isClear(*whole)) return &*whole;
+    return clear ? &*clear : nullptr;
 }
 
 Outcome<ModelState> stateSoFar(const NullModel& null, const SimulationOptions& simulation) {

@@ -75,6 +75,7 @@ std::optional<double> keepBest(SearchContext& search, const Node& path, std::opt
     if (!isBetter || hasProposal(path.null)) return error;
     const bool predicts = frontier.origin && predictsClearlyBetter(search, path.null, *frontier.origin);
     search.frontier.unweighed.reset();
+    search.frontier.keepClear();
     best = Whole{path, search.readings, predicts};
     best->node.state = std::move(*after);
     keepSoFar(search, path.candidates);

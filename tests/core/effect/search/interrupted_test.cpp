@@ -70,6 +70,20 @@ TEST(FoundSoFar, HasWhatARoundChoseBeforeItIsWeighed) {
     EXPECT_FALSE(of.search.frontier.unweighed) << "it was weighed since";
 }
 
+/// What explains more, but is not clear, does not hide what was.
+TEST(FoundSoFar, IsTheLastThatWasClear) {
+    WarmSearch of(laggingBody(3));
+    reachTheLag(of);
+    Frontier& frontier = of.search.frontier;
+    frontier.keepClear();
+    frontier.whole->predicts = false;
+    for (Step& s : frontier.whole->node.steps) s.acceptance.heldOut = 0;
+    frontier.whole->node.null = of.base;  // leaves more than noise
+    EXPECT_EQ(frontier.toTell(), &*frontier.clear);
+    frontier.clear.reset();
+    EXPECT_EQ(frontier.toTell(), nullptr);
+}
+
 TEST(FoundSoFar, IsToldWithTheRecordingsAsTheyWereReadThen) {
     WarmSearch of(laggingBody(3));
     reachTheLag(of);
