@@ -180,9 +180,7 @@ std::optional<Round> chosenTogether(SearchContext& search, const Node& node, Rou
         search.journal.test("beside the other", keyOf(taken.effect, taken.place), missed,
                             missed.accepted() ? "accepted" : "refused");
         if (!missed.accepted()) continue;
-        round.chosen = begin;
-        round.members = equivalents(null, round.trials, begin);
-        round.acceptance = missed;
+        round.choose(null, begin, missed);
         round.refused.erase(begin);
         round.behind = phrase("explains less than {}", nameOf(round.candidate(begin)));
         return second;

@@ -75,7 +75,7 @@ std::optional<double> keepBest(SearchContext& search, const Node& path, std::opt
     if (!isBetter || hasProposal(path.null)) return error;
     const bool predicts = frontier.origin && predictsClearlyBetter(search, path.null, *frontier.origin);
     search.frontier.unweighed.reset();
-    search.frontier.keepClear();
+    if (&best == &search.frontier.whole) search.frontier.keepClear();
     best = Whole{path, search.readings, predicts};
     best->node.state = std::move(*after);
     keepSoFar(search, path.candidates);
@@ -142,9 +142,7 @@ void goOn(SearchContext& search, Node& path, Round first) {
 
 Node pathFrom(SearchContext& search, const NullModel& base, Round round, std::size_t begin) {
     round.passOver(phrase("the search came to a better end from {}", nameOf(round.candidate(begin))));
-    round.chosen = begin;
-    round.members = equivalents(base, round.trials, begin);
-    round.acceptance = examine(search, base, round.trials[begin], round.threshold);
+    round.choose(base, begin, examine(search, base, round.trials[begin], round.threshold));
     Node path{base, {}};
     goOn(search, path, std::move(round));
     return path;

@@ -63,9 +63,7 @@ void preferSimple(const SearchContext& search, const NullModel& null, Round& rou
             trials[i].freed() < best.freed()
                 ? phrase("{} explains nearly as much with fewer parameters", nameOf(round.candidate(i)))
                 : phrase("{} explains nearly as much, and is met more often", nameOf(round.candidate(i)));
-        round.chosen = i;
-        round.acceptance = a;
-        round.members = equivalents(null, trials, i);
+        round.choose(null, i, a);
         break;
     }
 }
@@ -211,9 +209,7 @@ void chooseEquation(const SearchContext& search, const NullModel& null, Round& r
         const Judged there{first, examine(search, null, trials[first], round.threshold)};
         if (there.acceptance.accepted() || !equation.acceptance.accepted()) equation = there;
     }
-    round.chosen = equation.trial;
-    round.acceptance = equation.acceptance;
-    round.members = equivalents(null, trials, equation.trial);
+    round.choose(null, equation.trial, equation.acceptance);
     // told beside it are the names that take more to explain as much, and its other places
     std::erase_if(round.members, [&](std::size_t i) {
         return i != equation.trial && trials[i].freed() <= trials[equation.trial].freed();
@@ -241,6 +237,12 @@ void decide(const SearchContext& search, const NullModel& null, Round& round) {
         round.chosen ? phrase("an equation without a name, and not clearly a better account than {}",
                               nameOf(round.candidate(*round.chosen)))
                      : withinChance(round.trials[equation->trial].evidence, 2 * equivalenceMargin);
+}
+
+void Round::choose(const NullModel& null, std::size_t trial, const Acceptance& tests) {
+    chosen = trial;
+    members = equivalents(null, trials, trial);
+    acceptance = tests;
 }
 
 void Round::passOver(const Text& why) {

@@ -27,6 +27,8 @@ struct Round {
     Acceptance acceptance;
 
     const Candidate& candidate(std::size_t trial) const { return trials[trial].screened.candidate; }
+    /// Takes a trial, with what the data do not tell from it.
+    void choose(const NullModel& null, std::size_t trial, const Acceptance& tests);
     /// Sets the choice aside.
     void passOver(const Text& why);
 };

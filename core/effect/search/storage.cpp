@@ -35,9 +35,8 @@ std::optional<Node> withItsStorage(SearchContext& search, const Node& base, cons
     };
     const auto best = std::find_if(round.trials.begin(), round.trials.end(), isOfClass);  // they stand best first
     if (best == round.trials.end()) return std::nullopt;
-    round.chosen = static_cast<std::size_t>(best - round.trials.begin());
-    round.members = equivalents(base.null, round.trials, *round.chosen);
-    round.acceptance = examine(search, base.null, *best, round.threshold);
+    round.choose(base.null, static_cast<std::size_t>(best - round.trials.begin()),
+                 examine(search, base.null, *best, round.threshold));
     Node next = base;
     Step step = stepOf(search, base.null, round);
     Outcome<NullModel> fitted =
