@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "core/base/fnv.hpp"
 #include "core/measure/open/read_table.hpp"
 #include "core/study/json_places.hpp"
 #include "core/study/recorded.hpp"
@@ -20,10 +21,7 @@ namespace fs = std::filesystem;
 /// intent.
 class Fingerprint {
 public:
-    void add(std::string_view text) {
-        for (const char c : text) mix(static_cast<unsigned char>(c));
-        mix(0);
-    }
+    void add(std::string_view text) { value_ = fnv1a(std::string_view("\0", 1), fnv1a(text, value_)); }
     /// Path, size and time of the last change; false: there is no such file.
     bool addFile(const fs::path& path) {
         struct stat status {};
@@ -34,8 +32,7 @@ public:
     std::string text() const { return fmt::format("{:016x}", value_); }
 
 private:
-    void mix(unsigned char byte) { value_ = (value_ ^ byte) * 1099511628211ull; }
-    std::uint64_t value_{14695981039346656037ull};
+    std::uint64_t value_{fnvOffset};
 };
 
 StudyExperiment* experimentNamed(Study& study, const std::string& name) {

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <random>
 
+#include "core/base/fnv.hpp"
+
 namespace analogon {
 
 namespace {
@@ -24,13 +26,6 @@ private:
     double uniform() { return (static_cast<double>(engine_() >> 11) + 0.5) * 0x1p-53; }  // in (0, 1)
     std::mt19937_64 engine_;
 };
-
-/// FNV-1a, so that each output has noise of its own.
-std::uint64_t hashOf(const std::string& name) {
-    std::uint64_t hash = 14695981039346656037ull;
-    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
-    return hash;
-}
 
 std::vector<double> sampled(const std::vector<double>& time, const Eigen::VectorXd& values,
                             const std::vector<double>& raster) {
@@ -85,7 +80,7 @@ Outcome<Table> practiceRecording(const ExperimentState& run, const PracticeOptio
         column.values = sampled(run.time, output.simulated, table.columns.front().values);
         const auto noise = options.noise.find(output.name);
         if (noise != options.noise.end() && noise->second > 0) {
-            Noise draw(options.seed ^ hashOf(output.name));
+            Noise draw(options.seed ^ fnv1a(output.name));  // each output has noise of its own
             for (double& value : column.values) value += noise->second * draw.next();
         }
         table.columns.push_back(std::move(column));

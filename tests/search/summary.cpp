@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
+
+#include "core/base/fnv.hpp"
 
 namespace analogon::net {
 namespace {
@@ -17,11 +18,7 @@ const std::string tracePrefix = "trace ", candidatesPrefix = "candidates/";
 constexpr const char* condensedMark = "condensed";
 
 /// Fowler-Noll-Vo 1a, 64 bits: the same on any machine.
-std::string hashOf(const std::string& text) {
-    std::uint64_t hash = 14695981039346656037ULL;
-    for (const unsigned char c : text) hash = (hash ^ c) * 1099511628211ULL;
-    return fmt::format("{:016x}", hash);
-}
+std::string hashOf(const std::string& text) { return fmt::format("{:016x}", fnv1a(text)); }
 
 bool isOfTheRun(const std::string& member) { return member == "seconds" || member == "version"; }
 
