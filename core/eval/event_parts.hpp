@@ -12,6 +12,9 @@ struct EventParts {
     SystemPtr between;
 };
 
+/// The system between events, whose parameters are the slots and `symbolic`.
+Outcome<SystemPtr> systemBetween(const HybridModel& model, const std::vector<std::string>& symbolic = {});
+
 /// A system of a model with events of its own (FlatModel::events has refusals); `symbolic`: parameters that may change.
 /// `structure`: receives that of the model as seen from without.
 Outcome<SystemPtr> buildWithEvents(const FlatModel& model, const std::vector<std::string>& symbolic,

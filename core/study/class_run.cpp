@@ -3,26 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <set>
 
-#include "core/structure/hybrid.hpp"
-#include "core/structure/structure.hpp"
+#include "core/diagram/annotation.hpp"
+#include "core/eval/event_parts.hpp"
 
 namespace analogon {
 
 namespace {
-
-std::optional<double> numberOf(const syntax::Modification& modification) {
-    if (!modification.value) return std::nullopt;
-    const syntax::Expression* e = &*modification.value;
-    double sign = 1;
-    if (e->kind == syntax::Expression::Kind::Unary && e->text == "-") {
-        sign = -1;
-        e = &e->operands[0];
-    }
-    return e->kind == syntax::Expression::Kind::Number ? std::optional(sign * e->number) : std::nullopt;
-}
 
 void readExperiment(const Library& library, const LibraryClass& cls, EventRunOptions& run, int depth) {
     const auto& annotation = cls.definition->annotation;
@@ -32,15 +20,12 @@ void readExperiment(const Library& library, const LibraryClass& cls, EventRunOpt
             for (const LibraryClass* base : library.bases(cls)) readExperiment(library, *base, run, depth + 1);
         return;
     }
-    for (const syntax::Modification& m : experiment->arguments) {
-        const std::optional<double> value = numberOf(m);
-        if (!value) continue;
-        const std::string name = m.name.text();
-        if (name == "StartTime") run.start = *value;
-        if (name == "StopTime") run.stop = *value;
-        if (name == "Interval") run.interval = *value;
-        if (name == "Tolerance" && *value > 0) run.tolerance = std::min(*value, 1e-5);
-    }
+    const annotation::Record record(*experiment);
+    if (const auto start = record.number("StartTime")) run.start = *start;
+    if (const auto stop = record.number("StopTime")) run.stop = *stop;
+    if (const auto interval = record.number("Interval")) run.interval = *interval;
+    if (const auto tolerance = record.number("Tolerance"); tolerance && *tolerance > 0)
+        run.tolerance = std::min(*tolerance, 1e-5);
 }
 
 }  // namespace
@@ -71,11 +56,7 @@ Outcome<ClassRun> runAlone(const FlatModel& model, const std::function<std::vect
         return error(phrase("the simulation would end at {}, before it begins at {}", options.stop, options.start));
     const Outcome<HybridModel> hybrid = partition(model);
     if (!hybrid) return hybrid.diagnostics();
-    StructureOptions keep;
-    keep.keep = hybrid->slots;
-    const Outcome<Structure> structure = analyse(hybrid->continuous, keep);
-    if (!structure) return structure.diagnostics();
-    const Outcome<SystemPtr> system = System::build(*structure);
+    const Outcome<SystemPtr> system = systemBetween(*hybrid);
     if (!system) return system.diagnostics();
     ClassRun run;
     run.names = wanted(**system);

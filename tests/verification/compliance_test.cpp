@@ -10,12 +10,12 @@
 #include <optional>
 #include <set>
 
+#include "core/eval/event_parts.hpp"
 #include "core/eval/system.hpp"
 #include "core/flat/flat_model.hpp"
 #include "core/library/library.hpp"
 #include "core/simulate/event_run.hpp"
 #include "core/structure/hybrid.hpp"
-#include "core/structure/structure.hpp"
 
 /// The test cases of the Modelica Association's compliance library (package ModelicaCompliance): each says whether it
 /// is sound Modelica, and what is sound asserts its own results. Where they lie is told by ANALOGON_COMPLIANCE: the
@@ -72,11 +72,7 @@ Diagnostics faultsOf(const Library& library, const std::string& name) {
     if (!flat) return flat.diagnostics();
     const Outcome<HybridModel> hybrid = partition(*flat);
     if (!hybrid) return hybrid.diagnostics();
-    StructureOptions keep;
-    keep.keep = hybrid->slots;
-    const Outcome<Structure> structure = analyse(hybrid->continuous, keep);
-    if (!structure) return structure.diagnostics();
-    const Outcome<SystemPtr> system = System::build(*structure);
+    const Outcome<SystemPtr> system = systemBetween(*hybrid);
     if (!system) return system.diagnostics();
     EventRunOptions options;
     options.secondsLimit = 10;

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/eval/event_parts.hpp"
 #include "core/flat/flat_model.hpp"
-#include "core/structure/structure.hpp"
 
 namespace analogon {
 namespace {
@@ -40,11 +40,7 @@ Simulated runOf(const std::string& text, std::vector<std::string> names, double 
     if (!flat) return run.faults = flat.diagnostics(), run;
     const Outcome<HybridModel> hybrid = partition(*flat);
     if (!hybrid) return run.faults = hybrid.diagnostics(), run;
-    StructureOptions keep;
-    keep.keep = hybrid->slots;
-    const Outcome<Structure> structure = analyse(hybrid->continuous, keep);
-    if (!structure) return run.faults = structure.diagnostics(), run;
-    const Outcome<SystemPtr> system = System::build(*structure);
+    const Outcome<SystemPtr> system = systemBetween(*hybrid);
     if (!system) return run.faults = system.diagnostics(), run;
     EventRunOptions options;
     options.stop = stop;

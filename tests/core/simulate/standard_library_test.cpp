@@ -3,9 +3,9 @@
 #include <cstdlib>
 #include <memory>
 
+#include "core/eval/event_parts.hpp"
 #include "core/flat/flat_model.hpp"
 #include "core/simulate/event_run.hpp"
-#include "core/structure/structure.hpp"
 
 namespace analogon {
 namespace {
@@ -32,11 +32,7 @@ TEST_P(StandardLibraryExample, Runs) {
     ASSERT_TRUE(flat) << format(flat.diagnostics());
     const Outcome<HybridModel> hybrid = partition(*flat);
     ASSERT_TRUE(hybrid) << format(hybrid.diagnostics());
-    StructureOptions keep;
-    keep.keep = hybrid->slots;
-    const Outcome<Structure> structure = analyse(hybrid->continuous, keep);
-    ASSERT_TRUE(structure) << format(structure.diagnostics());
-    const Outcome<SystemPtr> system = System::build(*structure);
+    const Outcome<SystemPtr> system = systemBetween(*hybrid);
     ASSERT_TRUE(system) << format(system.diagnostics());
     EventRunOptions options;
     options.stop = GetParam().stop;
