@@ -16,6 +16,7 @@
 #include "core/library/library.hpp"
 #include "core/structure/hybrid.hpp"
 #include "core/structure/structure.hpp"
+#include "core/study/study_with.hpp"
 #include "core/study/validate.hpp"
 #include "core/syntax/parser.hpp"
 
@@ -237,8 +238,7 @@ int checkStudy(const Options& options, std::ostream& out, std::ostream& err) {
                      err);
     const Outcome<OpenedStudy> opened = openStudy(options.input);
     if (!opened) return fails(opened.diagnostics(), err);
-    Study study = opened->study;
-    for (const fs::path& p : options.libraries) study.libraryPaths.push_back(fs::absolute(p).string());
+    const Study study = withLibraries(opened->study, options.libraries);
     const Outcome<ValidStudy> valid = validated(study, Purpose::Check);
     Diagnostics said = opened.diagnostics();
     for (const Diagnostic& d : namedAs(valid.diagnostics(), *opened)) said.push_back(d);

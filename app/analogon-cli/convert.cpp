@@ -10,6 +10,7 @@
 #include "core/study/named_path.hpp"
 #include "core/study/pending_save.hpp"
 #include "core/study/study_places.hpp"
+#include "core/study/study_with.hpp"
 #include "core/study/validate.hpp"
 
 namespace analogon::cli {
@@ -102,7 +103,7 @@ int exportStudy(const Options& options, std::ostream& out, std::ostream& err) {
     if (!opened) return fails(opened.diagnostics(), err);
     Diagnostics told = opened.diagnostics();
     tell(told, err);
-    for (const fs::path& p : options.libraries) opened->study.libraryPaths.push_back(fs::absolute(p).string());
+    opened->study = withLibraries(std::move(opened->study), options.libraries);
     struct Wanted {
         ExportFormat format;
         const fs::path& file;

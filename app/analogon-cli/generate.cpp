@@ -6,6 +6,7 @@
 #include "core/base/distinct.hpp"
 #include "core/measure/open/read_table.hpp"
 #include "core/study/generate.hpp"
+#include "core/study/study_with.hpp"
 #include "core/study/validate.hpp"
 
 namespace analogon::cli {
@@ -45,9 +46,7 @@ int generate(const Options& options, std::ostream& out, std::ostream& err) {
     const Outcome<Done> written = saveStudy(generated->study, options.out);
     if (!written) return fails(written.diagnostics());
     const std::string directory = options.out.string();
-    Study study = generated->study;
-    for (const std::filesystem::path& p : options.libraries) study.libraryPaths.push_back(absolute(p).string());
-    const Outcome<ValidStudy> valid = validated(study, Purpose::Discover);
+    const Outcome<ValidStudy> valid = validated(withLibraries(generated->study, options.libraries), Purpose::Discover);
     Diagnostics said = request.diagnostics();
     for (const Diagnostics& more : {written.diagnostics(), generated.diagnostics(), valid.diagnostics()})
         said.insert(said.end(), more.begin(), more.end());

@@ -1,16 +1,13 @@
 #include "core/study/free_run.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <limits>
 
-#include "core/base/stop.hpp"
 #include "core/base/stopwatch.hpp"
+#include "core/base/unless_stopped.hpp"
 #include "core/study/class_run.hpp"
 #include "core/study/present_values.hpp"
+#include "core/study/study_with.hpp"
 
 namespace analogon {
 
@@ -86,27 +83,9 @@ ExperimentState asExperiment(const std::string& name, const FlatModel& model, Cl
     return state;
 }
 
-template <class Work>
-auto unlessStopped(const Progress& progress, const Work& work) -> decltype(work()) {
-    try {
-        const StopScope scope(progress.stopToken());
-        return work();
-    } catch (const Stopped&) {
-        return error(phrase("cancelled"));
-    }
-}
-
 }  // namespace
 
-std::string freeRunName(const Study& study) {
-    const auto isTaken = [&](const std::string& name) {
-        return std::any_of(study.experiments.begin(), study.experiments.end(),
-                           [&](const StudyExperiment& e) { return e.name == name; });
-    };
-    std::string name = "Simulation";
-    for (int i = 2; isTaken(name); ++i) name = fmt::format("Simulation {}", i);
-    return name;
-}
+std::string freeRunName(const Study& study) { return freeExperimentName(study, "Simulation"); }
 
 double freeRunStop(const Library& library, const std::string& className) {
     const LibraryClass* const cls = library.find(className);
@@ -117,10 +96,7 @@ Outcome<RunResult> runFreely(const Study& study, std::optional<double> stop, con
                              const Progress& progress) {
     return unlessStopped(progress, [&]() -> Outcome<RunResult> {
         const auto begin = std::chrono::steady_clock::now();
-        Study widened = study;
-        for (const std::filesystem::path& p : options.libraryPaths)
-            widened.libraryPaths.push_back(std::filesystem::absolute(p).string());
-        const Outcome<FreeModel> model = freeModel(widened, stop);
+        const Outcome<FreeModel> model = freeModel(withLibraries(study, options.libraryPaths), stop);
         if (!model) return model.diagnostics();
         Outcome<ClassRun> run = runAlone(
             model->flat, [&](const System& system) { return shownNames(model->flat, system); }, model->run, progress);

@@ -5,11 +5,13 @@
 
 #include "core/base/stop.hpp"
 #include "core/base/stopwatch.hpp"
+#include "core/base/unless_stopped.hpp"
 #include "core/fit/clock.hpp"
 #include "core/flat/parameter_change.hpp"
 #include "core/measure/channel_place.hpp"
 #include "core/study/confidence.hpp"
 #include "core/study/recorded.hpp"
+#include "core/study/study_with.hpp"
 #include "core/study/validate.hpp"
 
 namespace analogon {
@@ -141,17 +143,6 @@ bool isCutShort(const ModelState& state) {
                        [](const ExperimentState& e) { return e.failure.failed && e.failure.reason == "cancelled"; });
 }
 
-/// Work that may be stopped wherever it is before there is anything to tell.
-template <class Work>
-auto unlessStopped(const Progress& progress, const Work& work) -> decltype(work()) {
-    try {
-        const StopScope scope(progress.stopToken());
-        return work();
-    } catch (const Stopped&) {
-        return error(phrase("cancelled"));
-    }
-}
-
 }  // namespace
 
 bool leavesTracesOut(const Finding& finding, Traces traces) {
@@ -171,15 +162,9 @@ std::string proposedBlocks(const Finding& finding) {
 
 namespace {
 
-Study withLibraries(const Study& study, const RunOptions& options) {
-    Study widened = study;
-    for (const fs::path& p : options.libraryPaths) widened.libraryPaths.push_back(fs::absolute(p).string());
-    return widened;
-}
-
 /// The task of a study that is valid for a purpose, with what is remarked on it.
 Outcome<EstimationTask> validTask(const Study& study, const RunOptions& options, Purpose purpose) {
-    Outcome<ValidStudy> valid = validated(withLibraries(study, options), purpose);
+    Outcome<ValidStudy> valid = validated(withLibraries(study, options.libraryPaths), purpose);
     if (!valid) return valid.diagnostics();
     return {std::move(valid->task), valid.diagnostics()};
 }
@@ -187,7 +172,7 @@ Outcome<EstimationTask> validTask(const Study& study, const RunOptions& options,
 }  // namespace
 
 Outcome<EstimationTask> taskOf(const Study& study, const RunOptions& options) {
-    return estimationTask(withLibraries(study, options));
+    return estimationTask(withLibraries(study, options.libraryPaths));
 }
 
 Outcome<RunResult> runSimulate(const Study& study, const RunOptions& options, const Progress& progress) {

@@ -20,6 +20,7 @@
 #include "core/measure/open/open_recording.hpp"
 #include "core/measure/open/read_table.hpp"
 #include "core/study/recorded.hpp"
+#include "core/study/study_with.hpp"
 #include "ui/document/document.hpp"
 #include "ui/measurement/channel_browser.hpp"
 #include "ui/measurement/mapping.hpp"
@@ -220,15 +221,8 @@ void ImportPanel::pointAt(int line) {
 QString ImportPanel::problems() const { return told_; }
 
 QString ImportPanel::freeName() const {
-    const QString base = QFileInfo(path_).completeBaseName();
-    QString name = base;
-    const auto isTaken = [&] {
-        for (const StudyExperiment& e : document_.study().experiments)
-            if (e.name == name.toStdString()) return true;
-        return false;
-    };
-    for (int i = 2; isTaken(); ++i) name = QStringLiteral("%1 %2").arg(base).arg(i);
-    return name;
+    return QString::fromStdString(
+        freeExperimentName(document_.study(), QFileInfo(path_).completeBaseName().toStdString()));
 }
 
 void ImportPanel::show(const QString& path) {

@@ -19,6 +19,7 @@
 #include "core/measure/open/read_table.hpp"
 #include "core/study/free_run.hpp"
 #include "core/study/recorded.hpp"
+#include "core/study/study_with.hpp"
 #include "ui/document/document.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
@@ -47,16 +48,6 @@ QString freeFile(const QString& folder) {
         path =
             QDir(folder).filePath(i == 1 ? QStringLiteral("practice.csv") : QStringLiteral("practice-%1.csv").arg(i));
     return path;
-}
-
-std::string freeName(const Document& document, const std::string& wanted) {
-    const auto isTaken = [&](const std::string& name) {
-        const auto& all = document.study().experiments;
-        return std::any_of(all.begin(), all.end(), [&](const StudyExperiment& e) { return e.name == name; });
-    };
-    std::string name = wanted;
-    for (int i = 2; isTaken(name); ++i) name = wanted + ' ' + std::to_string(i);
-    return name;
 }
 
 /// The file as the study will read it.
@@ -247,7 +238,7 @@ void PracticeDialog::record() {
 
 void PracticeDialog::add(const std::shared_ptr<const Table>& table, const QString& path) {
     StudyExperiment experiment;
-    experiment.name = freeName(document_, QFileInfo(path).completeBaseName().toStdString());
+    experiment.name = freeExperimentName(document_.study(), QFileInfo(path).completeBaseName().toStdString());
     experiment.file = path.toStdString();
     experiment.timeColumn = "time";
     for (const SignalFact& output : document_.facts().outputs)
