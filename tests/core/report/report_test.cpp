@@ -283,6 +283,14 @@ TEST(Report, DrawsAProfileAndCallsAValleyFlat) {
     EXPECT_TRUE(written["upper"].is_null());
 }
 
+TEST(Summary, SaysHowASearchEndedThatHasNotLookedAtEverything) {
+    Finding finding = sampleFinding();
+    finding.interrupted = true;
+    EXPECT_THAT(summaryText(finding), HasSubstr("The search was interrupted; this is the best so far."));
+    finding.isAtLimitOfWork = true;
+    EXPECT_THAT(summaryText(finding), HasSubstr("The search ended at its limit of work; this is the best so far."));
+}
+
 TEST(Summary, AlignsTheTableAndTellsTheFinding) {
     const std::string text = summaryText(sampleFinding());
     EXPECT_THAT(text,

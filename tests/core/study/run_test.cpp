@@ -110,6 +110,20 @@ TEST_F(Run, ACancelledFitKeepsTheBestWithItsFigures) {
     EXPECT_TRUE(std::isfinite(result->finding.final.experiments.at(0).errorPercent));
 }
 
+/// Whoever stopped a run waits for its end; nobody does where it came to its limit of work.
+TEST_F(Run, LeavesLongTracesOutOnlyWhereItWasStoppedFromOutside) {
+    Finding finding;
+    finding.baseline.experiments.resize(1);
+    finding.baseline.experiments[0].time.resize(200'000);
+    finding.baseline.experiments[0].outputs.resize(1);
+    EXPECT_FALSE(leavesTracesOut(finding));
+    finding.interrupted = true;
+    EXPECT_TRUE(leavesTracesOut(finding));
+    finding.isAtLimitOfWork = true;
+    EXPECT_FALSE(leavesTracesOut(finding));
+    EXPECT_TRUE(leavesTracesOut(finding, Traces::Short));
+}
+
 TEST_F(Run, ASearchThatIsStoppedClaimsNothingThatItHasNotLookedAt) {
     for (const char* stage : {"fit", "screen"}) {
         std::stop_source source;
