@@ -292,6 +292,8 @@ TrialStarts::TrialStarts(const NullModel& null, const Screened& screened, const 
         if (alike == mostStarts || (alike >= mostStarts / 2 && isFaint)) continue;
         std::optional<TrialStart> start = prepareStart(null, screened, *probe, strength, best_.failure);
         if (!start) continue;
+        // the steps of the model without it serve near it, too: where that takes exact ones and this cannot, others
+        start->prepared.problem.knownPlans = null.plansOf(*start->prepared.system, options.simulation, progress);
         if (probe->secant == 0 && !probe->isAlongRecorded) takeBack(null, *start, rough, progress);
         start->isAlongRecorded = probe->isAlongRecorded;
         if (probe->isAlongRecorded) {
@@ -329,6 +331,7 @@ bool TrialStarts::resume(TrialStart& start) {
         return false;
     }
     prepared->problem.parameters = std::move(start.prepared.problem.parameters);
+    prepared->problem.knownPlans = null_.plansOf(*prepared->system, options_.simulation, progress_);
     start.prepared = std::move(*prepared);
     return true;
 }
