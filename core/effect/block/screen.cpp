@@ -115,7 +115,21 @@ SimulationOptions limited(const NullModel& null, SimulationOptions simulation) {
     return simulation;
 }
 
+Outcome<Variant> wiredIn(const NullModel& null, const Screened& screened) {
+    Outcome<Variant> wired =
+        withEffect(null.variant, screened.candidate.effect, screened.candidate.place, screened.fixed);
+    if (wired && screened.begin) wired->values = *screened.begin;
+    return wired;
+}
+
 namespace {
+
+/// A trace's part beside the model's parameters in the orthonormal `directions` that hold it, of length 1; zeros where
+/// there is none.
+Eigen::VectorXd directionOf(const NullModel& null, const Eigen::MatrixXd& trace, const Eigen::MatrixXd& directions) {
+    const Eigen::VectorXd parts = directions.transpose() * null.scores().plain(trace).col(0);
+    return parts.norm() > 0 ? Eigen::VectorXd(parts.normalized()) : parts;
+}
 
 /// One candidate on the way through its traces.
 class Screening {
@@ -128,7 +142,7 @@ public:
 
     Outcome<Done> run() {
         if (const Outcome<Done> done = wire(); !done) return done.diagnostics();
-        Prober prober(null_, result_.wired, observations_.series(effect_.along), simulation_, progress_);
+        Prober prober(null_, wired_, observations_.series(effect_.along), simulation_, progress_);
         if (const Outcome<Done> compiled = prober.compile(); !compiled) return compiled.diagnostics();
         if (lacksMotion(prober)) return error(phrase("nothing there has a motion of its own"));
         if (const Outcome<Done> probed = probeAll(prober); !probed) return probed.diagnostics();
@@ -142,11 +156,12 @@ public:
             Probe& probe = result_.probes[i];
             probe.course = courseOf(probe.plain);
             probe.whitened.directions.reset();
-            if (i == 0) continue;
-            probe.column.reset();
-            probe.plain.directions.reset();
+            if (i > 0) probe.plain.directions.reset();
         }
-        if (result_.isAbsorbed()) result_.absorbedBy = prober.imitators(result_.probes.front().column->col(0));
+        const Eigen::MatrixXd strength = *result_.probes.front().column;
+        if (result_.isAbsorbed()) result_.absorbedBy = prober.imitators(strength.col(0));
+        result_.probes.front().strengthIn = directionOf(null_, strength, *result_.probes.front().plain.directions);
+        for (Probe& probe : result_.probes) probe.column.reset();
         return Done{};
     }
     /// As far as it came.
@@ -170,7 +185,7 @@ private:
                                      ? std::move(off)
                                      : withEffect(null_.variant, effect_, result_.candidate.place, result_.fixed);
         if (!wired) return wired.diagnostics();
-        result_.wired = std::move(*wired);
+        wired_ = std::move(*wired);
         for (const std::string& text : effect_.secant) {
             const Outcome<double> value = shapeValue(text, context_);
             if (!value) return value.diagnostics();
@@ -201,7 +216,7 @@ private:
 
     Outcome<Done> probeAlongRecorded() {
         const std::vector<std::vector<double>>& course = observations_.series(effect_.along);
-        auto recorded = std::make_shared<const Variant>(alongRecorded(result_.wired, course, observations_.lead()));
+        auto recorded = std::make_shared<const Variant>(alongRecorded(wired_, course, observations_.lead()));
         Prober along(null_, *recorded, course, simulation_, progress_);
         result_.recorded = std::move(recorded);
         return along.compile() ? probeAll(along) : Outcome<Done>(Done{});
@@ -211,6 +226,7 @@ private:
     const EffectClass& effect_;
     const SimulationOptions& simulation_;
     const Progress& progress_;
+    Variant wired_;  // the effect in the model, fixed values set, parameters not yet freed
     Observations observations_;
     ShapeContext context_;
     std::vector<double> secants_;

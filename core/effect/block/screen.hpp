@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,8 @@ struct Probe {
     double secant{};                       // 0: slope at strength 0
     ColumnScore plain;                     // against the residual as it is; its directions of the best probe alone
     ColumnScore whitened;                  // with the noise made white; without its directions
-    SharedColumns column;                  // trace of the strength, in units of the noise; of the best probe alone
+    SharedColumns column;                  // trace of the strength, in units of the noise; once screened: none
+    Eigen::VectorXd strengthIn;            // its projected trace in `plain.directions`, of length 1; of the best alone
     SharedColumns course;                  // its one direction, at some of the rows; empty: it has several
     bool isAlongRecorded{};                // of a wave along the recorded course of its variable
     double strength() const;               // best estimate, 0 when the sign is wrong
@@ -26,8 +28,8 @@ struct Probe {
 /// A candidate with what its probes show.
 struct Screened {
     Candidate candidate;
-    Variant wired;  // the effect in the model, fixed values set, parameters not yet freed
     std::map<std::string, double> fixed;
+    std::optional<std::vector<ParameterValue>> begin;  // values to start at; none: those without it
     std::shared_ptr<const Variant> recorded;  // `wired` along the recorded course of its variable; null: none is told
     std::vector<Probe> probes;                // best first
     Text failure;                             // why it could not be tried; empty: it was
@@ -38,6 +40,10 @@ struct Screened {
     bool isWrongSign() const;
     std::vector<std::string> absorbedBy;  // parameters that imitate it
 };
+
+/// The effect in the model that it was screened beside, fixed values set, parameters not yet freed. The candidates of a
+/// round do not keep it: the text of a model in each of them takes more room than all they tell.
+Outcome<Variant> wiredIn(const NullModel& null, const Screened& screened);
 
 /// The options with a limit on the effort of one simulation, the same on any machine: a candidate that is far too
 /// stiff for the recording is given up.

@@ -90,7 +90,7 @@ double longestOf(const EstimationTask& task) {
     return longest;
 }
 
-std::vector<FitParameter> freedParameters(const Screened& s, const Probe& probe) {
+std::vector<FitParameter> freedParameters(const Screened& s, const Probe& probe, const Variant& wired) {
     std::vector<FitParameter> freed{strengthParameter(s, probe)};
     const std::vector<double> linear = probe.linear();
     for (std::size_t i = 0; i < s.candidate.effect.linear.size(); ++i) {
@@ -100,7 +100,7 @@ std::vector<FitParameter> freedParameters(const Screened& s, const Probe& probe)
         freed.push_back(std::move(p));
     }
     for (const auto& [name, value] : probe.values) freed.push_back(shapeParameter(s, name, value));
-    const PlacedEffect& placed = s.wired.effects.back();
+    const PlacedEffect& placed = wired.effects.back();
     for (FitParameter& p : freed) {
         const auto unit = placed.effect.units.find(p.name);
         if (unit != placed.effect.units.end()) p.unit = unit->second;
@@ -109,7 +109,7 @@ std::vector<FitParameter> freedParameters(const Screened& s, const Probe& probe)
     // what takes longer than every recording is not told by them: a signal that stands still is no slow one
     FitParameter& strength = freed.front();
     if (strength.unit == "s") {
-        strength.max = std::min(strength.max, longestOf(s.wired.task));
+        strength.max = std::min(strength.max, longestOf(wired.task));
         strength.start = std::min(strength.start, strength.max);
     }
     return freed;
@@ -157,11 +157,11 @@ double promisedCost(const Linearisation& at) {
     return 0.5 * OrthogonalProjector(at.jacobian)(at.residuals).squaredNorm();
 }
 
-std::optional<TrialStart> prepareStart(const NullModel& null, const Screened& screened, const Probe& probe,
-                                       double strength, Text& failure) {
+std::optional<TrialStart> prepareStart(const NullModel& null, const Screened& screened, const Variant& wired,
+                                       const Probe& probe, double strength, Text& failure) {
     TrialStart start;
-    start.variant = screened.wired;
-    start.variant.effects.back().freed = freedParameters(screened, probe);
+    start.variant = wired;
+    start.variant.effects.back().freed = freedParameters(screened, probe, wired);
     if (strength != 0) start.variant.effects.back().freed.front().start = strength;
     for (const FitParameter& p : start.variant.effects.back().freed) start.variant.task.parameters.push_back(p);
     Outcome<PreparedTask> prepared = prepareAt(start.variant, null.noise);
@@ -280,7 +280,12 @@ TrialStarts::TrialStarts(const NullModel& null, const Screened& screened, const 
                          const Progress& progress)
     : null_(null), screened_(screened), options_(options), progress_(progress) {
     best_.screened = screened;
-    best_.variant = screened.wired;
+    const Outcome<Variant> wired = wiredIn(null, screened);
+    if (!wired) {
+        best_.failure = wired.diagnostics().front().message;
+        return;
+    }
+    best_.variant = *wired;
     const SimulationOptions rough = coarse(options.simulation);  // starts are only compared
     const std::vector<std::pair<const Probe*, double>> offered = startsOf(screened);
     for (const auto& [probe, strength] : offered) {
@@ -290,7 +295,7 @@ TrialStarts::TrialStarts(const NullModel& null, const Screened& screened, const 
         });
         const bool isFaint = probe->plain.explained < faintShare * offered.front().first->plain.explained;
         if (alike == mostStarts || (alike >= mostStarts / 2 && isFaint)) continue;
-        std::optional<TrialStart> start = prepareStart(null, screened, *probe, strength, best_.failure);
+        std::optional<TrialStart> start = prepareStart(null, screened, *wired, *probe, strength, best_.failure);
         if (!start) continue;
         // the steps of the model without it serve near it, too: where that takes exact ones and this cannot, others
         start->prepared.problem.knownPlans = null.plansOf(*start->prepared.system, options.simulation, progress);

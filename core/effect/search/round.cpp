@@ -93,10 +93,9 @@ std::vector<std::size_t> equalPlaces(const SearchContext& search, const NullMode
 
 std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Trial>& trials, std::size_t best) {
     std::vector<std::size_t> members{best};
-    const OrthogonalProjector& complement = null.scores().plain;
-    const auto direction = [&](const Trial& t) {
-        const Eigen::MatrixXd rest = complement(*t.screened.probes.front().column);
-        return Eigen::VectorXd(rest.col(0).normalized());
+    const auto direction = [](const Trial& t) {
+        const Probe& probe = t.screened.probes.front();
+        return Eigen::VectorXd(*probe.plain.directions * probe.strengthIn);
     };
     const Eigen::VectorXd own = direction(trials[best]);
     const double weight = independentShare(null, trials[best].fit);

@@ -87,7 +87,8 @@ void retryFrom(SearchContext& search, const NullModel& null, const std::vector<P
     std::vector<Screened> begun;
     for (const std::size_t i : chosen) {
         Screened screened = trials[i].screened;
-        for (ParameterValue& own : screened.wired.values)
+        screened.begin = screened.begin.value_or(null.variant.values);
+        for (ParameterValue& own : *screened.begin)
             for (const ParameterValue& found : values)
                 if (found.name == own.name && found.experiment == own.experiment) own.value = found.value;
         begun.push_back(std::move(screened));

@@ -71,11 +71,14 @@ TEST(Screen, PromisesTheEffectThatTheBodyHas) {
     EXPECT_LT(gain.score(), lag.score());
     for (std::size_t i = 1; i < lag.probes.size(); ++i) {
         EXPECT_LE(lag.probes[i].plain.explained * !lag.probes[i].plain.wrongSign, lag.probes[0].plain.explained);
-        EXPECT_EQ(lag.probes[i].column->size(), 0) << "of the best alone";
+        EXPECT_EQ(lag.probes[i].plain.directions->size(), 0) << "of the best alone";
     }
-    EXPECT_EQ(lag.probes[0].column->size(), 400);
-    EXPECT_EQ(lag.wired.effects.size(), 1u);
-    EXPECT_TRUE(lag.wired.effects[0].freed.empty()) << "not yet freed";
+    EXPECT_EQ(lag.probes[0].plain.directions->size(), 400);
+    EXPECT_NEAR(lag.probes[0].strengthIn.norm(), 1, 1e-12);
+    const Outcome<Variant> wired = wiredIn(null, lag);
+    ASSERT_TRUE(wired);
+    ASSERT_EQ(wired->effects.size(), 1u);
+    EXPECT_TRUE(wired->effects[0].freed.empty()) << "not yet freed";
 }
 
 /// As much more power is as much less heat capacity and conductance.

@@ -36,7 +36,8 @@ Trial trial(const std::string& kind, double evidence, const Eigen::VectorXd& tra
     t.screened.candidate.effect.kind = t.screened.candidate.effect.className = kind;
     t.screened.candidate.place.at = kind;
     t.screened.probes.resize(1);
-    t.screened.probes[0].column = Eigen::MatrixXd(trace);
+    t.screened.probes[0].plain.directions = Eigen::MatrixXd(trace.normalized());
+    t.screened.probes[0].strengthIn = Eigen::VectorXd::Ones(1);
     t.variant.effects.resize(1);
     t.fit.optimum.residuals = whiteNoise(trace.size());
     return t;
