@@ -209,14 +209,12 @@ bool isShared(const std::vector<ResidualChannel>& channels, const Eigen::VectorX
 struct Examined {
     const ResidualChannel* channel{};
     ResidualSummary summary;
-    Explained all;         // by what it may move with; nothing where there are too few samples to tell
-    Eigen::MatrixXd rest;  // the columns of that, white, beside the parameters
-    double total{};        // sum of squares, white
-    double pMoves{1};      // that it moves with so much by chance
-    double standsOff{};    // evidence that it stays off by a good part of the noise
+    double explained{};                // by what it may move with, white; 0 where there are too few samples to tell
+    int directions{};                  // of that
+    std::vector<Correlate> movesWith;  // most first
+    double pMoves{1};                  // that it moves with so much by chance
+    double standsOff{};                // evidence that it stays off by a good part of the noise
     bool isWhite{}, isNoise{};
-
-    int directions() const { return static_cast<int>(all.directions.cols()); }
 };
 
 /// What a residual is asked with: the model, what may move with it, and the units in which it stands.
@@ -258,6 +256,38 @@ Eigen::MatrixXd columnsThrough(const Examination& of, const ResidualChannel& cha
     return columns;
 }
 
+/// With what the residual of a channel moves, most first. `rest`: the regressors, white, beside the parameters.
+std::vector<Correlate> correlates(const Examination& of, const ResidualChannel& channel, const Eigen::MatrixXd& rest,
+                                  double total) {
+    std::vector<Correlate> found;
+    for (std::size_t j = 0; j < of.regressors.size(); ++j) {
+        const auto c = rest.col(static_cast<Eigen::Index>(j));
+        const double n = c.norm();
+        // what hardly moves here (the sign of a temperature) moves with nothing
+        if (!(n > leastMotion * of.regressors[j].series[static_cast<std::size_t>(channel.experiment)].norm())) continue;
+        const double correlation = c.dot(of.white) / n / std::sqrt(total);
+        if (std::abs(correlation) > leastCorrelation) found.push_back({of.regressors[j].variable, correlation});
+    }
+    std::sort(found.begin(), found.end(),
+              [](const Correlate& a, const Correlate& b) { return std::abs(a.correlation) > std::abs(b.correlation); });
+    if (found.size() > mostCorrelates) found.resize(mostCorrelates);
+    return found;
+}
+
+/// What a channel moves with. Its matrices end here: those of twenty channels take more room than all else.
+void tellWhatMoves(const Examination& of, const Eigen::MatrixXd& columns, Examined& e) {
+    const int count = e.channel->end - e.channel->begin;
+    const Eigen::MatrixXd rest = of.null.scores().white(of.null.whitener(columns));
+    const Explained all = explainedBy(of.white, rest);
+    const double total = of.white.segment(e.channel->begin, count).squaredNorm();
+    const auto directions = static_cast<int>(all.directions.cols());
+    if (directions < 1 || count < 2 * directions + 10) return;
+    e.explained = all.explained;
+    e.directions = directions;
+    e.pMoves = std::min(pWhitened(all, total, count), of.patient.p(*e.channel, columns, of.unlikely));
+    e.movesWith = correlates(of, *e.channel, rest, total);
+}
+
 /// Empty: there is nothing to ask on this channel.
 std::optional<Examined> examine(const Examination& of, const ResidualChannel& channel) {
     const Eigen::VectorXd& residuals = of.null.fit.optimum.residuals;
@@ -268,19 +298,13 @@ std::optional<Examined> examine(const Examination& of, const ResidualChannel& ch
     const Eigen::MatrixXd columns = columnsThrough(of, channel);
     Examined e;
     e.channel = &channel;
-    e.rest = of.null.scores().white(of.null.whitener(columns));
-    e.all = explainedBy(of.white, e.rest);
-    e.total = of.white.segment(channel.begin, count).squaredNorm();
-    if (e.directions() < 1 || count < 2 * e.directions() + 10)
-        e.all = {0, Eigen::MatrixXd(of.white.size(), 0)};
-    else
-        e.pMoves = std::min(pWhitened(e.all, e.total, count), of.patient.p(channel, columns, of.unlikely));
+    tellWhatMoves(of, columns, e);
     e.summary = summarise(own);
     e.isWhite = of.isChance(e.summary.whiteProbability);
     const double scatter = std::sqrt((own.array() - own.mean()).square().mean());  // of less than the noise: none
     if ((e.isWhite || scatter <= 1) && standsOff(own))
         e.standsOff = std::pow(own.sum(), 2) / count - std::log(static_cast<double>(count));
-    const double beyondChance = e.all.explained - e.directions() * std::log(static_cast<double>(count));
+    const double beyondChance = e.explained - e.directions * std::log(static_cast<double>(count));
     const bool isLittle =
         e.isWhite && std::max(beyondChance, -std::log(std::max(e.pMoves, 1e-300))) < leastBesideOthers;
     e.isNoise = e.standsOff == 0 && (isLittle || of.isChance(e.pMoves)) && (e.isWhite || isStationaryNoise(own));
@@ -304,34 +328,15 @@ ColouredNoise noiseOf(const Examination& of, const Examined& e) {
             e.summary.autocorrelationTime * span / (channel.end - channel.begin - 1)};
 }
 
-/// With what the residual of a channel moves, most first.
-std::vector<Correlate> correlates(const Examination& of, const Examined& e) {
-    std::vector<Correlate> found;
-    for (std::size_t j = 0; e.directions() > 0 && j < of.regressors.size(); ++j) {
-        const Eigen::VectorXd c = e.rest.col(static_cast<Eigen::Index>(j));
-        const double n = c.norm();
-        // what hardly moves here (the sign of a temperature) moves with nothing
-        if (!(n > leastMotion * of.regressors[j].series[static_cast<std::size_t>(e.channel->experiment)].norm()))
-            continue;
-        const double correlation = c.dot(of.white) / n / std::sqrt(e.total);
-        if (std::abs(correlation) > leastCorrelation) found.push_back({of.regressors[j].variable, correlation});
-    }
-    std::sort(found.begin(), found.end(),
-              [](const Correlate& a, const Correlate& b) { return std::abs(a.correlation) > std::abs(b.correlation); });
-    if (found.size() > mostCorrelates) found.resize(mostCorrelates);
-    return found;
-}
-
 Remainder structureOf(const Examination& of, const Examined& e) {
     const double p = std::min(e.pMoves, e.summary.whiteProbability);
     const double count = e.channel->end - e.channel->begin;
     Remainder r;
     r.output = outputOf(of, *e.channel);
     r.experiment = experimentOf(of, *e.channel).name;
-    r.evidence =
-        std::max({e.all.explained - e.directions() * std::log(count), -std::log(std::max(p, 1e-300)), e.standsOff});
+    r.evidence = std::max({e.explained - e.directions * std::log(count), -std::log(std::max(p, 1e-300)), e.standsOff});
     locate(of.null, of.prepared, *e.channel, r);
-    r.movesWith = correlates(of, e);
+    r.movesWith = e.movesWith;
     return r;
 }
 
