@@ -268,6 +268,14 @@
         <source>Equal gaps in a column</source>
         <translation>Gleiche Abstände in einer Spalte</translation>
     </message>
+    <message>
+        <source>Unit …</source>
+        <translation>Einheit …</translation>
+    </message>
+    <message>
+        <source>Unit of %1 (V, N.m, degC, rpm …)</source>
+        <translation>Einheit von %1 (V, N.m, degC, rpm …)</translation>
+    </message>
 </context>
 <context>
     <name>Composer</name>
@@ -4378,6 +4386,38 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <source>Discover again, with ten times the work that it had</source>
         <translation>Noch einmal suchen, mit dem Zehnfachen der Arbeit</translation>
     </message>
+    <message>
+        <source>To be fitted:</source>
+        <translation>Anzupassen:</translation>
+    </message>
+    <message>
+        <source>Fitted:</source>
+        <translation>Angepasst:</translation>
+    </message>
+    <message>
+        <source>At a bound after the fit:</source>
+        <translation>Nach der Anpassung an einer Grenze:</translation>
+    </message>
+    <message>
+        <source>%1 for the recording %2</source>
+        <translation>%1 für die Aufzeichnung %2</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>Changed by the effect %1</source>
+        <translation>Verändert durch den Effekt %1</translation>
+    </message>
+    <message>
+        <source>Brought by the effect %1</source>
+        <translation>Hinzugekommen mit dem Effekt %1</translation>
+    </message>
+    <message>
+        <source>An effect: %1</source>
+        <translation>Ein Effekt: %1</translation>
+    </message>
 </context>
 <context>
     <name>MainWindowFiles</name>
@@ -4677,6 +4717,34 @@ gehalten: Jeder Wert gilt bis zum nächsten Abtastwert</translation>
     <message>
         <source>All recordings as a table: sort them, edit role and weight, fit some of them alone</source>
         <translation>Alle Aufzeichnungen als Tabelle: sortieren, Rolle und Gewicht ändern, einige allein anpassen</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Set the unit …</source>
+        <translation>Einheit setzen …</translation>
+    </message>
+    <message>
+        <source>Set the unit of %1</source>
+        <translation>Einheit von %1 setzen</translation>
+    </message>
+    <message>
+        <source>In which the column is written, where it is not as its file says</source>
+        <translation>In der die Spalte geschrieben ist, wo es nicht die ist, die ihre Datei nennt</translation>
+    </message>
+    <message>
+        <source>As the file says</source>
+        <translation>Wie die Datei sagt</translation>
+    </message>
+    <message>
+        <source>Told here, not by the file</source>
+        <translation>Hier gesagt, nicht von der Datei</translation>
+    </message>
+    <message>
+        <source>%1 cannot be converted to %2, the unit of the model.</source>
+        <translation>%1 lässt sich nicht in %2, die Einheit des Modells, umrechnen.</translation>
     </message>
 </context>
 <context>
@@ -5836,6 +5904,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
 </context>
 <context>
     <name>QObject</name>
+    <message>
+        <source>Set the unit of %1</source>
+        <translation>Einheit von %1 setzen</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>
@@ -14096,6 +14168,17 @@ Bitte den Namen prüfen.</translation>
     <message>
         <source>Record %1</source>
         <translation>%1 aufzeichnen</translation>
+    </message>
+</context>
+<context>
+    <name>CommonUnits</name>
+    <message>
+        <source>%1 is no unit that is known.</source>
+        <translation>%1 ist keine bekannte Einheit.</translation>
+    </message>
+    <message>
+        <source>Did you mean %1?</source>
+        <translation>Ist %1 gemeint?</translation>
     </message>
 </context>
 </TS>

@@ -166,6 +166,12 @@ void BlockItem::setEffect(const QString& label, bool isBelow) {
 
 QString BlockItem::effectLabel() const { return label_ ? label_->text() : QString(); }
 
+std::vector<QRectF> BlockItem::ports() const {
+    std::vector<QRectF> rects;
+    for (const PortShape& port : ports_) rects.push_back(port.rect);
+    return rects;
+}
+
 QPainterPath BlockItem::shape() const {
     QPainterPath path;
     path.addRect(body_);
@@ -342,6 +348,7 @@ QString BlockItem::tooltip(const PortShape* port) const {
     constexpr int digits = 12;  // as many as were written
     for (const auto& [name, value] : block_.parameters)
         tip += "<br>" + text(name) + " = " + valueText(value, digits).toHtmlEscaped();
+    for (const QString& remark : remarks_) tip += "<br>" + remark;
     return tip;
 }
 

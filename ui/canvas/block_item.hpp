@@ -22,6 +22,10 @@ public:
     QString effectLabel() const;
     /// The body without texts and outline.
     QRectF body() const { return body_; }
+    /// Its connectors as they are drawn.
+    std::vector<QRectF> ports() const;
+    /// What a tooltip of the block says besides what it is, as HTML.
+    void setRemarks(const QStringList& remarks) { remarks_ = remarks; }
     /// Where the name and the values stand: above or below the body, in its middle or to one side of it.
     struct LabelPlace {
         bool isAbove{};
@@ -33,6 +37,8 @@ public:
     QRectF nameRect(const QTransform& toView, QFont font) const;
     /// What the texts would cover there, at the zoom of a diagram that fits the window.
     QRectF labelRect(LabelPlace place) const;
+    /// The same where they stand.
+    QRectF labelRect() const { return labelRect(labelPlace_); }
 
     int type() const override { return Type; }
     QRectF boundingRect() const override { return bounds_; }
@@ -80,6 +86,7 @@ private:
     bool staysInside_{true};  // no text of its icon is larger than its place
     LabelPlace labelPlace_;
     QStringList values_;  // "R = 2.452"
+    QStringList remarks_;
     std::vector<PortShape> ports_;
     const PortShape* hovered_{};
     EffectLabel* label_{};

@@ -199,7 +199,7 @@ void DiagramScene::placeLabels() {
     }
 }
 
-void DiagramScene::mark(const std::vector<EffectMark>& effects) {
+void DiagramScene::mark(const std::vector<EffectMark>& effects, const std::vector<BlockMark>& marks) {
     std::map<std::string, QString> labels;
     for (const EffectMark& effect : effects) labels[effect.instance] = effect.label;
     for (const auto& [name, item] : blocks_) {
@@ -211,6 +211,7 @@ void DiagramScene::mark(const std::vector<EffectMark>& effects) {
     }
     for (WireItem* item : wires_)
         item->setMarked(labels.contains(instanceOf(item->wire().from)) || labels.contains(instanceOf(item->wire().to)));
+    placeMarks(marks);
 }
 
 BlockItem* DiagramScene::block(const std::string& name) const {

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/diagram/diagram.hpp"
+#include "ui/canvas/mark_item.hpp"
 #include "ui/route/selection.hpp"
 
 namespace analogon::ui {
@@ -17,6 +18,13 @@ struct EffectMark {
     QString label;
 };
 
+/// What the study or its last fit says of a block, for a small mark at it.
+struct BlockMark {
+    std::string block;
+    MarkKind kind{MarkKind::Fitted};
+    QString tip;  // HTML
+};
+
 /// The picture of a diagram. It shows and selects; whatever changes the model goes through the document.
 class DiagramScene : public QGraphicsScene {
     Q_OBJECT
@@ -27,7 +35,8 @@ public:
 
     void show(const Diagram& diagram);
     const Diagram& diagram() const { return diagram_; }
-    void mark(const std::vector<EffectMark>& effects);
+    /// Blocks that a result found; of the others those that something is to be said of.
+    void mark(const std::vector<EffectMark>& effects, const std::vector<BlockMark>& marks = {});
     bool isEmpty() const { return blocks_.empty(); }
     BlockItem* block(const std::string& name) const;
     /// The one block that is selected; empty: none or several.
@@ -60,6 +69,7 @@ Q_SIGNALS:
 private:
     bool hasRoomBelow(const BlockItem& item) const;
     void placeLabels();
+    void placeMarks(const std::vector<BlockMark>& marks);
 
     void noteOrder();
 

@@ -45,6 +45,8 @@ public:
     /// Three or more at equal gaps, from left to right (`isAcross`) or from bottom to top.
     bool distribute(const std::vector<std::string>& blocks, bool isAcross);
     bool rename(const std::string& block, const std::string& name);
+    /// The unit that an input or output of the model is told in, in its declaration; empty: none of its own.
+    bool setUnit(const std::string& block, const std::string& unit);
     /// Modelica text: declarations and the connections between them.
     std::string copy(const std::vector<std::string>& blocks) const;
     /// Declares what a copied text holds, moved by (dx, dy), under free names; their names.
@@ -77,6 +79,11 @@ private:
     Document& document_;
     QString fault_;
 };
+
+/// The unit in the declaration of an input or output; empty: it has none of its own.
+std::string declaredUnit(const Block& block);
+/// Whether it is an input or output of the model, a number with a unit.
+bool hasUnit(const Block& block);
 
 /// A name for a new component: "electricThermal" for BasicElectricThermal, "u" for an input.
 std::string baseName(const std::string& className);

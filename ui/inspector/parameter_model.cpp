@@ -14,24 +14,10 @@
 #include "ui/inspector/prior_text.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
+#include "ui/words/common_units.hpp"
 #include "ui/words/words.hpp"
 
 namespace analogon::ui {
-
-namespace {
-
-/// Units engineers use at the bench; those that measure the same as a parameter are offered for it.
-constexpr const char* commonUnits[] = {
-    "1",     "%",     "K",        "degC",      "m",        "cm",        "mm",      "um",        "m2",         "cm2",
-    "mm2",   "m3",    "l",        "ml",        "kg",       "g",         "s",       "ms",        "min",        "h",
-    "rad",   "deg",   "rad/s",    "rpm",       "Hz",       "N",         "kN",      "N.m",       "mN.m",       "J",
-    "kJ",    "W",     "mW",       "kW",        "V",        "mV",        "A",       "mA",        "Ohm",        "mOhm",
-    "kOhm",  "H",     "mH",       "uH",        "F",        "uF",        "Pa",      "hPa",       "kPa",        "bar",
-    "J/K",   "kJ/K",  "W/K",      "mW/K",      "K/W",      "kg.m2",     "g.cm2",   "N.m.s/rad", "mN.m.s/rad", "m/s",
-    "km/h",  "1/K",   "W/(m2.K)", "W/(cm2.K)", "J/(kg.K)", "kJ/(kg.K)", "V.s/rad", "mV.s/rad",  "kg/s",       "g/s",
-    "l/min", "N.m/A", "mN.m/A",   "N.m/rad",   "1/s"};
-
-}  // namespace
 
 ParameterModel::ParameterModel(Document& document, QObject* parent) : QAbstractTableModel(parent), document_(document) {
     connect(&document, &Document::opened, this, &ParameterModel::refresh);
@@ -326,14 +312,8 @@ QVariant ParameterModel::data(const QModelIndex& index, int role) const {
             return QString::fromStdString(row.name);
         case BarRole:
             return bar(row);
-        case UnitsRole: {
-            QStringList units;
-            if (row.unit.empty()) return units;
-            units << QString::fromStdString(row.unit);
-            for (const char* unit : commonUnits)
-                if (unit != row.unit && areConvertible(row.unit, unit)) units << QString::fromLatin1(unit);
-            return units;
-        }
+        case UnitsRole:
+            return row.unit.empty() ? QStringList() : unitsLike(row.unit);
         default:
             return {};
     }

@@ -12,15 +12,11 @@
 
 namespace analogon::ui {
 
-namespace {
-
 const Column* columnOf(const Table* file, const ChannelName& name) {
     if (!file) return nullptr;
     const std::vector<ChannelPlace> places = placesOf(*file, name);
     return places.size() == 1 ? places.front().column : nullptr;
 }
-
-}  // namespace
 
 QString labelText(const Table* file, const ChannelName& name) {
     const Column* column = columnOf(file, name);

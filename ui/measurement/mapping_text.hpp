@@ -20,6 +20,8 @@ namespace analogon::ui {
 inline constexpr int experimentRole = Qt::UserRole, kindRole = Qt::UserRole + 1, signalRole = Qt::UserRole + 2,
                      columnRole = Qt::UserRole + 3;
 
+/// The column of that name; null: the file has none, or several.
+const Column* columnOf(const Table* file, const ChannelName& name);
 /// How a channel is called where the file may have several of its name.
 QString labelText(const Table* file, const ChannelName& name);
 /// The channels of a file that are no stamps.

@@ -35,6 +35,7 @@ public:
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const override {
         if (index.column() == MeasurementPanel::Clock) return clockEditor(parent, option, index);
+        if (index.column() == MeasurementPanel::Unit) return unitEditor(parent, index);
         if (index.column() != MeasurementPanel::Source) return nullptr;
         const QTreeWidgetItem* item = panel_.tree_->itemFromIndex(index);
         const StudyExperiment* experiment = panel_.experimentOf(item);
@@ -76,6 +77,8 @@ public:
             const auto* box = qobject_cast<QComboBox*>(editor);
             return panel_.setClock(item, box ? box->currentText() : static_cast<QLineEdit*>(editor)->text());
         }
+        if (index.column() == MeasurementPanel::Unit)
+            return panel_.setUnit(item, static_cast<QComboBox*>(editor)->currentText());
         if (auto* field = qobject_cast<QLineEdit*>(editor)) return panel_.setRange(item, field->text());
         const QVariant chosen = static_cast<QComboBox*>(editor)->currentData();
         if (kind == MeasurementPanel::Kind::Experiment)
@@ -108,6 +111,17 @@ private:
         closeOnChoice(box);
         return box;
     }
+    /// That of the file, or one in which the same is measured; others are typed.
+    QWidget* unitEditor(QWidget* parent, const QModelIndex& index) const {
+        const QTreeWidgetItem* item = panel_.tree_->itemFromIndex(index);
+        if (!panel_.mappingOf(item)) return nullptr;
+        auto* box = new QComboBox(parent);
+        box->setEditable(true);
+        box->setInsertPolicy(QComboBox::NoInsert);
+        box->addItems(panel_.unitsFor(item));
+        closeOnChoice(box);
+        return box;
+    }
 
     MeasurementPanel& panel_;
 };
@@ -122,20 +136,21 @@ MeasurementPanel::MeasurementPanel(Document& document, QWidget* parent)
       propose_(new QToolButton(this)),
       table_(new QToolButton(this)) {
     tree_->setColumnCount(ColumnCount);
-    tree_->setHeaderLabels({tr("Model"), tr("Column"), tr("Clock")});
+    tree_->setHeaderLabels({tr("Model"), tr("Column"), tr("Clock"), tr("Unit")});
     tree_->headerItem()->setToolTip(Clock, clockTip(true));
+    tree_->headerItem()->setToolTip(Unit, tr("In which the column is written, where it is not as its file says"));
     tree_->setFrameShape(QFrame::NoFrame);
     tree_->setRootIsDecorated(true);
     tree_->setUniformRowHeights(true);
     tree_->setIndentation(4 * style::unit);
     tree_->setIconSize({16, 16});
-    for (const int section : {Model, Clock})
+    for (const int section : {Model, Clock, Unit})
         tree_->header()->setSectionResizeMode(section, QHeaderView::ResizeToContents);
     tree_->header()->setResizeContentsPrecision(0);  // by the rows in sight
     tree_->header()->setStretchLastSection(false);
     tree_->header()->setSectionResizeMode(Source, QHeaderView::Stretch);
     tree_->setAccessibleName(tr("Measurements"));
-    for (const int column : {Source, Clock}) tree_->setItemDelegateForColumn(column, new MappingDelegate(*this));
+    for (const int column : {Source, Clock, Unit}) tree_->setItemDelegateForColumn(column, new MappingDelegate(*this));
     tree_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     tree_->setContextMenuPolicy(Qt::CustomContextMenu);
     tree_->viewport()->installEventFilter(this);
@@ -235,47 +250,6 @@ void MeasurementPanel::map(const QTreeWidgetItem* item, const QString& column) {
     });
 }
 
-void MeasurementPanel::setClock(const QTreeWidgetItem* item, const QString& typed) {
-    const ChannelMapping* mapping = mappingOf(item);
-    if (!mapping || typed == clockText(*mapping)) return;
-    const bool isInput = static_cast<Kind>(item->data(0, kindRole).toInt()) == Kind::Input;
-    const std::string signal = item->data(0, signalRole).toString().toStdString();
-    const bool isFitted = !isInput && typed.trimmed() == tr("fit");
-    const std::optional<double> seconds = isFitted ? std::optional(0.0) : readSeconds(typed);
-    if (!seconds || (mapping->fitsClock == isFitted && mapping->clock == *seconds)) return;
-    change(item, tr("Set the clock of %1").arg(QString::fromStdString(signal)), [&](StudyExperiment& e) {
-        ChannelMapping& changed = (isInput ? e.inputs : e.outputs)[signal];
-        changed.fitsClock = isFitted;
-        changed.clock = *seconds;
-    });
-}
-
-void MeasurementPanel::holdInput(const QTreeWidgetItem* item, bool isHeld) {
-    const ChannelMapping* mapping = mappingOf(item);
-    const bool isInput = mapping && static_cast<Kind>(item->data(0, kindRole).toInt()) == Kind::Input;
-    if (!isInput || (mapping->interpolation == Interpolation::Hold) == isHeld) return;
-    const std::string signal = item->data(0, signalRole).toString().toStdString();
-    const QString what = isHeld ? tr("Hold %1 between its samples") : tr("Join the samples of %1");
-    change(item, what.arg(QString::fromStdString(signal)), [&](StudyExperiment& e) {
-        e.inputs[signal].interpolation = isHeld ? Interpolation::Hold : Interpolation::Linear;
-    });
-}
-
-/// How an input runs between its samples.
-void MeasurementPanel::addInterpolation(QMenu& menu, const QTreeWidgetItem* item) {
-    const ChannelMapping* mapping = mappingOf(item);
-    if (!mapping || static_cast<Kind>(item->data(0, kindRole).toInt()) != Kind::Input) return;
-    auto* group = new QActionGroup(&menu);
-    for (const bool isHeld : {false, true}) {
-        QAction* action = menu.addAction(isHeld ? tr("Held between its samples") : tr("Straight between its samples"),
-                                         this, [this, item, isHeld] { holdInput(item, isHeld); });
-        action->setCheckable(true);
-        action->setChecked((mapping->interpolation == Interpolation::Hold) == isHeld);
-        group->addAction(action);
-    }
-    menu.addSeparator();
-}
-
 void MeasurementPanel::setRole(const QTreeWidgetItem* item, bool isFit) {
     const StudyExperiment* experiment = experimentOf(item);
     if (!experiment || (experiment->role == Role::Fit) == isFit) return;
@@ -330,6 +304,11 @@ void MeasurementPanel::showMenu(QPoint at) {
             menu->addAction(tr("Set the clock …"), this, [this, item] {
                 tree_->showColumn(Clock);
                 tree_->editItem(item, Clock);
+            });
+        if (mappingOf(item))
+            menu->addAction(tr("Set the unit …"), this, [this, item] {
+                tree_->showColumn(Unit);
+                tree_->editItem(item, Unit);
             });
         if (mappingOf(item))
             menu->addAction(tr("Compare with other recordings"), this, [this, item] {

@@ -61,7 +61,7 @@ protected:
 private:
     friend class MappingDelegate;
     enum class Kind { Experiment, Info, Unread, Input, Output, Spare, Range };
-    enum TreeColumn { Model, Source, Clock, ColumnCount };
+    enum TreeColumn { Model, Source, Clock, Unit, ColumnCount };
     void refresh();
     void fillTree();
     QTreeWidgetItem* itemOf(const StudyExperiment& experiment);
@@ -79,6 +79,11 @@ private:
     void setRange(const QTreeWidgetItem* item, const QString& text);
     /// "fit", seconds, or a number with a unit of time; what is none of these changes nothing.
     void setClock(const QTreeWidgetItem* item, const QString& typed);
+    /// In which the column of a row is written; a unit that is not known, or is none of the model's, is refused.
+    void setUnit(const QTreeWidgetItem* item, const QString& typed);
+    std::string unitInFile(const QTreeWidgetItem* item) const;
+    std::string unitInModel(const QTreeWidgetItem* item) const;
+    QStringList unitsFor(const QTreeWidgetItem* item) const;
     void addInterpolation(QMenu& menu, const QTreeWidgetItem* item);
     void removeExperiment();
     void showMenu(QPoint at);

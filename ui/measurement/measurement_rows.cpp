@@ -203,6 +203,10 @@ QTreeWidgetItem* MeasurementPanel::itemOf(const StudyExperiment& experiment) {
                                        : hasOwnClock(*mapping) ? palette().color(QPalette::Text)
                                                                : muted);
             item->setToolTip(Clock, clockTip(!isInput));
+            const Column* const column = columnOf(table, mapping->channel());
+            item->setText(Unit, QString::fromStdString(mapping->unit.empty() && column ? column->unit : mapping->unit));
+            item->setForeground(Unit, mapping->unit.empty() ? muted : palette().color(QPalette::Text));
+            item->setToolTip(Unit, mapping->unit.empty() ? tr("As the file says") : tr("Told here, not by the file"));
             used.insert(label);
         };
         for (const auto& [signal, mapping] : channels) addSignal(signal, &mapping);
@@ -244,8 +248,8 @@ void MeasurementPanel::fillTree() {
 
 void MeasurementPanel::refresh() {
     const QSignalBlocker blocker(tree_);
-    const auto hasClock = [](const StudyExperiment& experiment) {
-        const auto isOwn = [](const auto& channel) { return hasOwnClock(channel.second); };
+    const auto isSaid = [](const StudyExperiment& experiment, bool (*says)(const ChannelMapping&)) {
+        const auto isOwn = [says](const auto& channel) { return says(channel.second); };
         return std::any_of(experiment.inputs.begin(), experiment.inputs.end(), isOwn) ||
                std::any_of(experiment.outputs.begin(), experiment.outputs.end(), isOwn);
     };
@@ -259,9 +263,14 @@ void MeasurementPanel::refresh() {
     else
         tree_->clear();
     measureExtents();
-    // few loggers have one: the names of columns need the room
+    // few channels have a clock or a unit of their own: the names of columns need the room
     const auto& experiments = document_.study().experiments;
-    tree_->setColumnHidden(Clock, !isOpen || std::none_of(experiments.begin(), experiments.end(), hasClock));
+    const auto isSaidAnywhere = [&](bool (*says)(const ChannelMapping&)) {
+        return isOpen && std::any_of(experiments.begin(), experiments.end(),
+                                     [&](const StudyExperiment& e) { return isSaid(e, says); });
+    };
+    tree_->setColumnHidden(Clock, !isSaidAnywhere(hasOwnClock));
+    tree_->setColumnHidden(Unit, !isSaidAnywhere([](const ChannelMapping& m) { return !m.unit.empty(); }));
     tree_->verticalScrollBar()->setValue(scrolled);
     empty_->setText(isOpen
                         ? tr("Drop a measurement file on the window, or press Import.\nIts columns are then mapped to "

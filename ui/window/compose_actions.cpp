@@ -48,6 +48,7 @@ ComposeActions::ComposeActions(Document& document, DiagramScene& scene, DiagramV
     flipV_ = make(tr("Flip upside down"), {Qt::Key_V}, &ComposeActions::flipVertically);
     rename_ = make(tr("Rename …"), {Qt::Key_F2}, &ComposeActions::rename);
     renameModel_ = make(tr("Rename model …"), {Qt::SHIFT | Qt::Key_F2}, &ComposeActions::renameModel);
+    unit_ = make(tr("Unit …"), {Qt::Key_U}, &ComposeActions::askForUnit);
     selectAll_ = make(tr("Select all"), {QKeySequence::SelectAll}, &ComposeActions::selectAll);
     group_ = make(tr("Group into a model …"), {Qt::Key_G}, &ComposeActions::group);
     group_->setObjectName("group");
@@ -160,6 +161,8 @@ void ComposeActions::update() {
     leave_->setEnabled(!document_.levels().empty());
     remove_->setEnabled(!selected.isEmpty());
     rename_->setEnabled(selected.blocks.size() == 1);
+    const Block* only = selected.blocks.size() == 1 ? document_.diagram().find(selected.blocks.front()) : nullptr;
+    unit_->setEnabled(only && hasUnit(*only));
     wire_->setEnabled(hasBlocks);
     for (QAction* a : align_) a->setEnabled(selected.blocks.size() > 1);
     for (QAction* a : distribute_) a->setEnabled(selected.blocks.size() > 2);
@@ -170,7 +173,7 @@ void ComposeActions::fill(QMenu& menu) const {
     menu.addSeparator();
     menu.addActions({cut_, copy_, paste_, duplicate_, remove_, selectAll_});
     menu.addSeparator();
-    menu.addActions({rename_, renameModel_});
+    menu.addActions({rename_, renameModel_, unit_});
     menu.addSeparator();
     menu.addActions({group_, enter_, leave_});
     menu.addSeparator();
@@ -309,6 +312,17 @@ void ComposeActions::rename() {
         if (isDone) scene_.select(name.toStdString());
     };
     chooser_->askInPlace(view_.nameRect(block.toStdString()), tr("New name of %1").arg(block), block, take);
+}
+
+/// Of an input or output of the model: what its values are told in.
+void ComposeActions::askForUnit() {
+    const QString block = scene_.selectedBlock();
+    const Block* chosen = document_.diagram().find(block.toStdString());
+    if (!chosen || !hasUnit(*chosen)) return;
+    chooser_->ask(tr("Unit of %1 (V, N.m, degC, rpm …)").arg(block), qString(declaredUnit(*chosen)),
+                  [this, block](const QString& unit) {
+                      report(composer_->setUnit(block.toStdString(), unit.trimmed().toStdString()));
+                  });
 }
 
 void ComposeActions::renameModel() {

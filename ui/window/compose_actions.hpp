@@ -61,6 +61,7 @@ private:
     void flipVertically();
     void rename();
     void renameModel();
+    void askForUnit();
     void selectAll();
     void group();
     void enter();
@@ -74,7 +75,7 @@ private:
     std::unique_ptr<Composer> composer_;
     Chooser* chooser_;
     QAction *insert_{}, *wire_{}, *cut_{}, *copy_{}, *paste_{}, *duplicate_{}, *remove_{}, *rotate_{}, *flipH_{},
-        *flipV_{}, *rename_{}, *renameModel_{}, *selectAll_{}, *group_{}, *enter_{}, *leave_{};
+        *flipV_{}, *rename_{}, *renameModel_{}, *unit_{}, *selectAll_{}, *group_{}, *enter_{}, *leave_{};
     std::vector<QAction*> align_, distribute_;
     std::string pastedText_;
     int pasteCount_{};  // of the same text: each copy lies a step further

@@ -44,6 +44,7 @@
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/text/text_view.hpp"
+#include "ui/window/block_marks.hpp"
 #include "ui/window/breadcrumb.hpp"
 #include "ui/window/compose_actions.hpp"
 #include "ui/window/generate_page.hpp"
@@ -207,6 +208,8 @@ void MainWindow::connectPanels() {
     });
     connect(document_, &Document::messagesChanged, this, &MainWindow::updateActions);
     connect(document_, &Document::parametersChanged, this, &MainWindow::updateActions);  // a result may be stale
+    for (const auto changed : {&Document::parametersChanged, &Document::factsChanged, &Document::experimentsChanged})
+        connect(document_, changed, this, &MainWindow::showEffects);
     connect(document_, &Document::resultChanged, this, &MainWindow::updateActions);
     connect(document_, &Document::modifiedChanged, this, &MainWindow::updateTitle);
     connect(document_, &Document::experimentsChanged, this, &MainWindow::updateActions);
@@ -484,7 +487,7 @@ void MainWindow::showEffects() {
             if (block && (block->className == effect.className || block->isEffect))
                 marks.push_back({effect.instance, effectName(effect)});
         }
-    scene_->mark(marks);
+    scene_->mark(marks, blockMarks(*document_));
 }
 
 void MainWindow::showPlace(const Place& place) {
