@@ -4418,6 +4418,18 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <source>An effect: %1</source>
         <translation>Ein Effekt: %1</translation>
     </message>
+    <message>
+        <source>Sensitivities and correlations</source>
+        <translation>Empfindlichkeiten und Korrelationen</translation>
+    </message>
+    <message>
+        <source>Sensitivities</source>
+        <translation>Empfindlichkeiten</translation>
+    </message>
+    <message>
+        <source>How far each trace moves with each parameter, and which parameters the recordings tell hardly apart</source>
+        <translation>Wie weit sich jede Kurve mit jedem Parameter bewegt, und welche Parameter die Aufzeichnungen kaum unterscheiden</translation>
+    </message>
 </context>
 <context>
     <name>MainWindowFiles</name>
@@ -12929,6 +12941,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <source>the simulation would end at {}, before it begins at {}</source>
         <translation>die Simulation würde bei {} enden, vor ihrem Beginn bei {}</translation>
     </message>
+    <message>
+        <source>no parameter is fitted</source>
+        <translation>kein Parameter wird angepasst</translation>
+    </message>
+    <message>
+        <source>check the parameters that are to be looked at</source>
+        <translation>die Parameter anhaken, die betrachtet werden sollen</translation>
+    </message>
 </context>
 <context>
     <name>Qt</name>
@@ -14179,6 +14199,65 @@ Bitte den Namen prüfen.</translation>
     <message>
         <source>Did you mean %1?</source>
         <translation>Ist %1 gemeint?</translation>
+    </message>
+</context>
+<context>
+    <name>SensitivityPage</name>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Correlation of the parameters</source>
+        <translation>Korrelation der Parameter</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Sensitivity</source>
+        <translation>Empfindlichkeit</translation>
+    </message>
+    <message>
+        <source>per relative change of a parameter</source>
+        <translation>je relativer Änderung eines Parameters</translation>
+    </message>
+    <message>
+        <source>per standard error of a parameter</source>
+        <translation>je Standardfehler eines Parameters</translation>
+    </message>
+    <message>
+        <source>Working out the sensitivities …</source>
+        <translation>Empfindlichkeiten werden berechnet …</translation>
+    </message>
+    <message>
+        <source>Sensitivities</source>
+        <translation>Empfindlichkeiten</translation>
+    </message>
+    <message>
+        <source>At the fitted values.</source>
+        <translation>Bei den angepassten Werten.</translation>
+    </message>
+    <message>
+        <source>At the present values.</source>
+        <translation>Bei den gegenwärtigen Werten.</translation>
+    </message>
+    <message>
+        <source>Correlation of the estimates: near 1 or −1, the recordings tell the two hardly apart.</source>
+        <translation>Korrelation der Schätzwerte: Nahe 1 oder −1 unterscheiden die Aufzeichnungen die beiden kaum.</translation>
+    </message>
+    <message>
+        <source>Standard error</source>
+        <translation>Standardfehler</translation>
+    </message>
+    <message>
+        <source>rms %1</source>
+        <translation>Effektivwert %1</translation>
+    </message>
+    <message>
+        <source>The slope of the trace times the value of each parameter, or times its standard error</source>
+        <translation>Die Steigung der Kurve mal dem Wert jedes Parameters oder mal seinem Standardfehler</translation>
     </message>
 </context>
 </TS>

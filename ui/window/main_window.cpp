@@ -39,6 +39,7 @@
 #include "ui/messages/message_panel.hpp"
 #include "ui/messages/unfinished.hpp"
 #include "ui/plot/plot_panel.hpp"
+#include "ui/sensitivity/sensitivity_page.hpp"
 #include "ui/signals/plot_area.hpp"
 #include "ui/signals/signal_browser.hpp"
 #include "ui/style/number.hpp"
@@ -248,13 +249,14 @@ void MainWindow::connectPanels() {
         parameterDock_->raise();
         parameters_->table()->setFocus();
     });
-    // The guide is read over the whole height.
+    // The guide is read over the whole height, and so are the sensitivities.
     connect(centre_, &QTabWidget::currentChanged, this, [this] {
-        const bool isReading = guide_ && centre_->currentWidget() == guide_;
+        const QWidget* const page = centre_->currentWidget();
+        const bool isReading = page && (page == guide_ || page == sensitivity_);
         if (isReading == isReadingGuide_) return;
         isReadingGuide_ = isReading;
         if (isReading) besideGuide_.clear();
-        for (QDockWidget* dock : {plotDock_, messageDock_})
+        for (QDockWidget* dock : {plotDock_, messageDock_, signalPlotDock_})
             if (isReading && !dock->isHidden() && !dock->isFloating()) besideGuide_ << dock;
         for (QDockWidget* dock : besideGuide_) dock->setVisible(!isReading);
         if (!isReading && besideGuide_.contains(plotDock_)) plotDock_->raise();
@@ -572,7 +574,7 @@ void MainWindow::updateActions() {
     whyNoRun_->setIcon(style::icon(isOpenYet ? "note" : "error"));
     whyNoRun_->setText(isOpenYet ? tr("Not connected yet: no run") : tr("Error in the model: no run"));
     whyNoRun_->setToolTip(why);
-    for (QAction* a : {saveAction_, saveAsAction_, importAction_, recordingsAction_})
+    for (QAction* a : {saveAction_, saveAsAction_, importAction_, recordingsAction_, sensitivityAction_})
         a->setEnabled(document_->isOpen());
     reportAction_->setEnabled(isReady && document_->result());
     const bool isShown = document_->isOpen() && !document_->isReading();

@@ -41,6 +41,7 @@ class Recovery;
 class ResultPanel;
 class RunBar;
 class RunController;
+class SensitivityPage;
 class SignalBrowser;
 class StartPage;
 class TextView;
@@ -133,6 +134,7 @@ private:
     void askForPractice();
     void showRecordings();
     void leaveRecordings();
+    void showSensitivity();
     void settle();
     /// Does it at once, or once the user has said what becomes of unsaved changes.
     void leaveThen(std::function<void()> next);
@@ -157,6 +159,7 @@ private:
     ValuesPage* values_{};
     ComparePage* comparison_{};
     RecordingsPage* recordings_{};
+    SensitivityPage* sensitivity_{};
     LibraryPanel* library_{};
     ComposeActions* compose_{};
     Recovery* recovery_{};
@@ -192,7 +195,7 @@ private:
 
     QAction *newAction_{}, *generateAction_{}, *openAction_{}, *openFileAction_{}, *saveAction_{}, *saveAsAction_{},
         *importAction_{}, *reportAction_{}, *exportTracesAction_{}, *exportMf4Action_{}, *quitAction_{};
-    QAction *textBesideAction_{}, *recordingsAction_{};
+    QAction *textBesideAction_{}, *recordingsAction_{}, *sensitivityAction_{};
     QAction *undoAction_{}, *redoAction_{}, *simulateAction_{}, *practiceAction_{}, *fitAction_{}, *discoverAction_{},
         *longerAction_{}, *fitViewAction_{}, *whyNoRunAction_{};
     QString fitTip_, discoverTip_;

@@ -100,6 +100,11 @@ void MainWindow::createActions() {
                              tr("All recordings as a table: sort them, edit role and weight, fit some of them alone"));
     recordingsAction_->setObjectName("recordings");
     connect(recordingsAction_, &QAction::triggered, this, &MainWindow::showRecordings);
+    sensitivityAction_ =
+        make(tr("Sensitivities and correlations"), {}, Qt::CTRL | Qt::SHIFT | Qt::Key_K,
+             tr("How far each trace moves with each parameter, and which parameters the recordings tell hardly apart"));
+    sensitivityAction_->setObjectName("sensitivity");
+    connect(sensitivityAction_, &QAction::triggered, this, &MainWindow::showSensitivity);
     textBesideAction_ = make(tr("Model text beside the diagram"), {}, Qt::CTRL | Qt::Key_T,
                              tr("Diagram and text side by side: what is changed in one is seen in the other"));
     textBesideAction_->setObjectName("text-beside");
@@ -147,6 +152,7 @@ void MainWindow::createMenus() {
     run->addActions({simulateAction_, fitAction_, discoverAction_, longerAction_});
     run->addSeparator();
     run->addAction(practiceAction_);
+    run->addAction(sensitivityAction_);
     run->setToolTipsVisible(true);  // they say what a run waits for
     QMenu* view = menuBar()->addMenu(tr("&View"));
     view->addActions({fitViewAction_, textBesideAction_, recordingsAction_});

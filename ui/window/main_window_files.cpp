@@ -12,6 +12,7 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabWidget>
+#include <QTableWidget>
 #include <QToolButton>
 #include <QUrl>
 #include <algorithm>
@@ -19,6 +20,7 @@
 #include "core/export/export.hpp"
 #include "ui/canvas/diagram_view.hpp"
 #include "ui/document/document.hpp"
+#include "ui/document/mention.hpp"
 #include "ui/effect/report_pdf.hpp"
 #include "ui/fit/run_controller.hpp"
 #include "ui/job/job.hpp"
@@ -30,6 +32,7 @@
 #include "ui/measurement/recordings_page.hpp"
 #include "ui/measurement/values_page.hpp"
 #include "ui/plot/plot_panel.hpp"
+#include "ui/sensitivity/sensitivity_page.hpp"
 #include "ui/style/style.hpp"
 #include "ui/window/generate_page.hpp"
 #include "ui/window/main_window.hpp"
@@ -232,6 +235,25 @@ void MainWindow::leaveRecordings() {
     if (tab < 0) return;
     centre_->removeTab(tab);
     showDiagram();
+}
+
+void MainWindow::showSensitivity() {
+    if (!document_->isOpen()) return;
+    if (!sensitivity_) {
+        sensitivity_ = new SensitivityPage(*document_, this);
+        connect(sensitivity_, &SensitivityPage::left, this, [this] {
+            const int tab = centre_->indexOf(sensitivity_);
+            if (tab < 0) return;
+            centre_->removeTab(tab);
+            showDiagram();
+        });
+        connect(sensitivity_, &SensitivityPage::parameterChosen, this, [this](const QString& name) {
+            showMention({Mention::Kind::Parameter, name});
+        });
+    }
+    if (centre_->indexOf(sensitivity_) < 0) centre_->addTab(sensitivity_, tr("Sensitivities"));
+    centre_->setCurrentWidget(sensitivity_);
+    sensitivity_->matrix()->setFocus();
 }
 
 void MainWindow::askForPractice() {

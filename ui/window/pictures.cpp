@@ -375,9 +375,11 @@ private:
         runs->history()->topLevelItem(0)->setSelected(true);
         settle();
         take(window, "22-a-run-with-a-name");
-        window.findChild<QAction*>("recordings")->trigger();
-        settle(300);
-        take(window, "22-recordings");
+        for (const char* page : {"recordings", "sensitivity"}) {
+            window.findChild<QAction*>(page)->trigger();
+            settle(1500);
+            take(window, QStringLiteral("22-") + page);
+        }
         document.undoStack().setClean();
         return true;
     }
