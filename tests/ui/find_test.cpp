@@ -1,15 +1,23 @@
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QTableView>
 #include <QTreeView>
+#include <QTreeWidget>
 
 #include "tests/ui/panels_fixture.hpp"
+#include "tests/ui/sample_finding.hpp"
+#include "ui/effect/result_panel.hpp"
+#include "ui/inspector/parameter_model.hpp"
+#include "ui/inspector/parameter_panel.hpp"
 #include "ui/library/chooser.hpp"
 #include "ui/library/library_model.hpp"
 #include "ui/library/library_panel.hpp"
 #include "ui/library/search_words.hpp"
+#include "ui/signals/signal_browser.hpp"
 #include "ui/text/find_bar.hpp"
 #include "ui/text/text_view.hpp"
 
@@ -153,6 +161,38 @@ TEST_F(Find, UnderlinesWhatMessagesSpeakOf) {
     EXPECT_TRUE(underlined().join(' ').contains("nosuchname"));
     document().typeText(good);
     EXPECT_TRUE(QTest::qWaitFor([&] { return underlined().isEmpty(); }, 10000));
+}
+
+/// Wherever the keys are within the panel, also where its table takes letters as the begin of an edit.
+TEST_F(Find, LeadsToTheSearchOfThePanelThatHasTheKeys) {
+    openLambda();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document().facts().parameters.empty(); }, 20000));
+    const auto find = [&](const char* dock, QWidget* keys, QLineEdit* field) {
+        window.findChild<QDockWidget*>(dock)->raise();
+        QTest::qWait(20);
+        keys->setFocus();
+        EXPECT_FALSE(field->hasFocus()) << dock;
+        QTest::keyClick(keys, Qt::Key_F, Qt::ControlModifier);
+        EXPECT_TRUE(field->hasFocus()) << dock;
+        QTest::keyClicks(field, "heater");
+        EXPECT_EQ(field->text(), "heater") << dock;
+        QTest::keyClick(field, Qt::Key_F, Qt::ControlModifier);
+        EXPECT_EQ(field->selectedText(), "heater") << dock;
+    };
+    auto* parameters = panel<ParameterPanel>();
+    find("parameters", parameters->table(), parameters->findChild<QLineEdit*>());
+    for (int row = 0; row < parameters->model()->rowCount(); ++row)
+        EXPECT_TRUE(parameters->model()->index(row, 0).data().toString().contains("heater"));
+    auto* browser = panel<SignalBrowser>();
+    find("signals", browser->findChild<QTreeView*>(), browser->searchField());
+    find("library", panel<LibraryPanel>()->tree(), panel<LibraryPanel>()->search());
+    RunResult result = sampleFinding(document(), "thermal.radiation", "Analogon.Effects.Thermal.Radiation", "radiation",
+                                     "element.solid", "port", "k_r");
+    document().setResult(RunKind::Discover, result, document().study());
+    auto* results = panel<ResultPanel>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return results->candidateFilter() != nullptr; }, 5000));
+    QTest::qWait(50);
+    find("result", results->candidates(), results->candidateFilter());
 }
 
 }  // namespace analogon::ui

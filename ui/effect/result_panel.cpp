@@ -18,6 +18,7 @@
 #include "ui/document/mention.hpp"
 #include "ui/effect/finding_words.hpp"
 #include "ui/effect/result_table.hpp"
+#include "ui/style/find_key.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
@@ -37,6 +38,7 @@ ResultPanel::ResultPanel(Document& document, QWidget* parent) : QScrollArea(pare
     // A run that is taken over changes all three at once: the page is built only then.
     soon_.setSingleShot(true);
     connect(&soon_, &QTimer::timeout, this, &ResultPanel::refresh);
+    style::findBy(*this, [this] { return filter_; });
     const auto refreshSoon = [this] { soon_.start(0); };
     connect(verticalScrollBar(), &QScrollBar::valueChanged, this, [this] {
         if (!candidates_ || !candidates_->viewport()->underMouse()) return;

@@ -17,6 +17,7 @@
 #include "ui/inspector/knob.hpp"
 #include "ui/inspector/parameter_model.hpp"
 #include "ui/inspector/prior_text.hpp"
+#include "ui/style/find_key.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
@@ -203,6 +204,7 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
     pages_->addWidget(empty_);
 
     connect(search_, &QLineEdit::textChanged, model_, &ParameterModel::setFilter);
+    style::findBy(*this, [this] { return search_; });
     connect(onlyFitted_, &QToolButton::toggled, model_, &ParameterModel::setOnlyFitted);
     connect(chip_, &QToolButton::clicked, this, [this] {
         showComponent({});

@@ -13,6 +13,7 @@
 #include "ui/document/document.hpp"
 #include "ui/library/library_model.hpp"
 #include "ui/library/search_words.hpp"
+#include "ui/style/find_key.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
 
@@ -89,6 +90,7 @@ LibraryPanel::LibraryPanel(Document& document, QWidget* parent)
     layout->addWidget(nothing_);
     layout->addWidget(splitter, 1);
 
+    style::findBy(*this, [this] { return search_; });
     connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
         filtered_->look(text);
         if (!text.isEmpty()) tree_->expandAll();

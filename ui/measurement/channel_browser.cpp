@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "ui/measurement/channel_sketch.hpp"
+#include "ui/style/find_key.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
@@ -89,6 +90,7 @@ ChannelBrowser::ChannelBrowser(QWidget* parent)
     layout->addLayout(top);
     layout->addLayout(middle, 1);
     connect(search_, &QLineEdit::textChanged, this, &ChannelBrowser::filter);
+    style::findBy(*this, [this] { return search_; });
     connect(tick_, &QPushButton::clicked, this, &ChannelBrowser::tickShown);
     connect(read_, &QPushButton::clicked, this, &ChannelBrowser::readWanted);
     // a tick of a group is one of each of its channels: they are counted once

@@ -13,6 +13,7 @@
 #include "core/study/free_run.hpp"
 #include "ui/document/document.hpp"
 #include "ui/signals/plot_layout.hpp"
+#include "ui/style/find_key.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
@@ -81,6 +82,7 @@ SignalBrowser::SignalBrowser(Document& document, QWidget* parent)
     column->addWidget(fault_);
 
     connect(search_, &QLineEdit::textChanged, this, &SignalBrowser::showSearch);
+    style::findBy(*this, [this] { return search_; });
     connect(tree_, &QTreeView::doubleClicked, this, &SignalBrowser::send);
     connect(show_, &QToolButton::clicked, this, &SignalBrowser::send);
     connect(add_, &QToolButton::clicked, this, &SignalBrowser::addFormula);
