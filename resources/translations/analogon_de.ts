@@ -14260,4 +14260,11 @@ Bitte den Namen prüfen.</translation>
         <translation>Die Steigung der Kurve mal dem Wert jedes Parameters oder mal seinem Standardfehler</translation>
     </message>
 </context>
+<context>
+    <name>analogon::ui::NamePopup</name>
+    <message>
+        <source>Names that fit</source>
+        <translation>Passende Namen</translation>
+    </message>
+</context>
 </TS>

@@ -10,6 +10,7 @@
 #include "ui/style/style.hpp"
 #include "ui/text/find_bar.hpp"
 #include "ui/text/highlighter.hpp"
+#include "ui/text/name_popup.hpp"
 #include "ui/words/words.hpp"
 
 namespace analogon::ui {
@@ -26,7 +27,11 @@ private:
 };
 
 TextView::TextView(Document& document, QWidget* parent)
-    : QPlainTextEdit(parent), document_(document), lineNumbers_(new LineNumbers(*this)), find_(new FindBar(*this)) {
+    : QPlainTextEdit(parent),
+      document_(document),
+      lineNumbers_(new LineNumbers(*this)),
+      find_(new FindBar(*this)),
+      names_(new NamePopup(document, *this)) {
     setUndoRedoEnabled(false);  // the document's list holds these steps too
     setTabChangesFocus(true);
     setFrameShape(NoFrame);
@@ -131,7 +136,9 @@ void TextView::keyPressEvent(QKeyEvent* event) {
     if (event->matches(QKeySequence::Find)) return find_->open();
     if (event->key() == Qt::Key_F3) return find_->next(event->modifiers() & Qt::ShiftModifier);
     if (event->key() == Qt::Key_Escape && find_->isVisible()) return find_->hide();
+    if (names_->takes(*event)) return event->accept();
     QPlainTextEdit::keyPressEvent(event);
+    names_->follow(*event);
 }
 
 void TextView::showEvent(QShowEvent* event) {
@@ -168,6 +175,11 @@ bool TextView::event(QEvent* event) {
             event->ignore();  // the window's own undo
             return true;
         }
+    }
+    if (event->type() == QEvent::KeyPress && names_->isOpen() &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Tab) {  // else it leads to the next field
+        keyPressEvent(static_cast<QKeyEvent*>(event));
+        return true;
     }
     if (event->type() == QEvent::ToolTip) {
         auto* help = static_cast<QHelpEvent*>(event);

@@ -7,10 +7,12 @@ namespace analogon::ui {
 
 class Document;
 class FindBar;
+class NamePopup;
 struct Message;
 
 /// The model's text, with line numbers. What is typed here is seen in the diagram a moment later, and the other way
-/// round; both are steps of one undo list. Ctrl+F finds in it; what messages speak of is underlined.
+/// round; both are steps of one undo list. Ctrl+F finds in it, names are offered while one types; what messages speak
+/// of is underlined.
 class TextView : public QPlainTextEdit {
     Q_OBJECT
 
@@ -20,6 +22,7 @@ public:
     /// Goes to a place and marks it. Lines and columns start at 1; a column counts bytes of UTF-8.
     void showPlace(int line, int column, int length);
     FindBar* findBar() const { return find_; }
+    NamePopup* names() const { return names_; }
 
 protected:
     bool event(QEvent* event) override;
@@ -44,6 +47,7 @@ private:
     Document& document_;
     LineNumbers* lineNumbers_;
     FindBar* find_;
+    NamePopup* names_;
     QList<QTextEdit::ExtraSelection> faults_, shown_;  // that messages speak of; the place that was asked for
     QTimer typing_;
     bool isRefreshing_{}, isStale_{};
