@@ -12949,6 +12949,18 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <source>check the parameters that are to be looked at</source>
         <translation>die Parameter anhaken, die betrachtet werden sollen</translation>
     </message>
+    <message>
+        <source>a sweep leads one or two parameters through values, not {}</source>
+        <translation>ein oder zwei Parameter lassen sich durchfahren, nicht {}</translation>
+    </message>
+    <message>
+        <source>the sweep has no values for {}</source>
+        <translation>für {} sind keine Werte zum Durchfahren da</translation>
+    </message>
+    <message>
+        <source>both axes of the sweep are {}</source>
+        <translation>beide Achsen sind {}</translation>
+    </message>
 </context>
 <context>
     <name>Qt</name>
@@ -14265,6 +14277,103 @@ Bitte den Namen prüfen.</translation>
     <message>
         <source>Names that fit</source>
         <translation>Passende Namen</translation>
+    </message>
+</context>
+<context>
+    <name>analogon::ui::SweepDialog</name>
+    <message>
+        <source>Sweep of parameters</source>
+        <translation>Parameter durchfahren</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>The error of the fitted recordings at each value; nothing is fitted, and the study stays.</source>
+        <translation>Der Fehler der angepassten Aufzeichnungen bei jedem Wert; nichts wird angepasst, und die Studie bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>by equal factors</source>
+        <translation>in gleichen Faktoren</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Second parameter</source>
+        <translation>Zweiter Parameter</translation>
+    </message>
+    <message>
+        <source>(none)</source>
+        <translation>(keiner)</translation>
+    </message>
+    <message>
+        <source>Simulating …</source>
+        <translation>Simulation läuft …</translation>
+    </message>
+    <message>
+        <source>Stopped after %1 of %2 simulations.</source>
+        <translation>Angehalten nach %1 von %2 Simulationen.</translation>
+    </message>
+    <message>
+        <source>The model cannot be simulated at any of these values.</source>
+        <translation>Das Modell lässt sich bei keinem dieser Werte simulieren.</translation>
+    </message>
+    <message>
+        <source>Least error %1 at %2.</source>
+        <translation>Kleinster Fehler %1 bei %2.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Simulate</source>
+        <translation>Simulieren</translation>
+    </message>
+    <message>
+        <source>The stronger the colour, the smaller the error.</source>
+        <translation>Je kräftiger die Farbe, desto kleiner der Fehler.</translation>
+    </message>
+</context>
+<context>
+    <name>analogon::ui::SweepChart</name>
+    <message>
+        <source>Error over the parameters</source>
+        <translation>Fehler über den Parametern</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Error %1</source>
+        <translation>Fehler %1</translation>
+    </message>
+    <message>
+        <source>Not simulated</source>
+        <translation>Nicht simuliert</translation>
+    </message>
+</context>
+<context>
+    <name>analogon::ui::MainWindow</name>
+    <message>
+        <source>Sweep of parameters …</source>
+        <translation>Parameter durchfahren …</translation>
+    </message>
+    <message>
+        <source>The error over one parameter as a curve, over two as a map</source>
+        <translation>Der Fehler über einem Parameter als Kurve, über zweien als Karte</translation>
     </message>
 </context>
 </TS>

@@ -11,6 +11,7 @@
 #include "ui/document/document.hpp"
 #include "ui/fit/run_bar.hpp"
 #include "ui/fit/run_controller.hpp"
+#include "ui/sensitivity/sweep_dialog.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/window/compose_actions.hpp"
@@ -153,6 +154,11 @@ void MainWindow::createMenus() {
     run->addSeparator();
     run->addAction(practiceAction_);
     run->addAction(sensitivityAction_);
+    QAction* sweep = run->addAction(tr("Sweep of parameters …"), Qt::CTRL | Qt::SHIFT | Qt::Key_W, this, [this] {
+        if (document_->isOpen()) (new SweepDialog(*document_, this))->show();
+    });
+    sweep->setObjectName("sweep");
+    sweep->setToolTip(tr("The error over one parameter as a curve, over two as a map"));
     run->setToolTipsVisible(true);  // they say what a run waits for
     QMenu* view = menuBar()->addMenu(tr("&View"));
     view->addActions({fitViewAction_, textBesideAction_, recordingsAction_});
