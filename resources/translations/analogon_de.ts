@@ -14376,4 +14376,15 @@ Bitte den Namen prüfen.</translation>
         <translation>Der Fehler über einem Parameter als Kurve, über zweien als Karte</translation>
     </message>
 </context>
+<context>
+    <name>analogon::ui::RecordingsPage</name>
+    <message>
+        <source>Filter</source>
+        <translation>Filtern</translation>
+    </message>
+    <message>
+        <source>Filter the recordings</source>
+        <translation>Aufzeichnungen filtern</translation>
+    </message>
+</context>
 </TS>

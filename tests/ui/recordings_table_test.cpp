@@ -64,6 +64,21 @@ protected:
     }
 };
 
+TEST_F(RecordingsTable, IsFilteredByTheKeyOfFinding) {
+    openTable();
+    addCopies(12, [](StudyExperiment&, int) {});
+    const int all = view()->model()->rowCount();
+    ASSERT_GE(all, 13);
+    QTest::keyClick(view(), Qt::Key_F, Qt::ControlModifier);
+    ASSERT_TRUE(page()->filterField()->hasFocus());
+    QTest::keyClicks(page()->filterField(), "COPY 1");
+    EXPECT_EQ(view()->model()->rowCount(), 3) << "1, 10 and 11";
+    EXPECT_GE(rowOf("copy 11"), 0);
+    for (const std::string& name : page()->marked()) EXPECT_TRUE(name.starts_with("copy 1")) << name;
+    page()->filterField()->clear();
+    EXPECT_EQ(view()->model()->rowCount(), all);
+}
+
 TEST_F(RecordingsTable, SaysOfEachWhatItIsAndWhatTheRunLeaves) {
     openTable();
     ASSERT_EQ(view()->model()->rowCount(), 2);

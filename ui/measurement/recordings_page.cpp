@@ -16,6 +16,7 @@
 #include "ui/document/document.hpp"
 #include "ui/measurement/locate.hpp"
 #include "ui/measurement/recordings_model.hpp"
+#include "ui/style/find_key.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
@@ -99,6 +100,7 @@ RecordingsPage::RecordingsPage(Document& document, QWidget* parent)
       model_(new RecordingsModel(document, this)),
       sorted_(new QSortFilterProxyModel(this)),
       view_(new QTableView(this)),
+      filter_(new QLineEdit(this)),
       caption_(new QLabel(this)),
       fit_(new QPushButton(this)),
       search_(new QPushButton(this)),
@@ -109,6 +111,10 @@ RecordingsPage::RecordingsPage(Document& document, QWidget* parent)
     sorted_->setSourceModel(model_);
     sorted_->setSortRole(RecordingsModel::SortRole);
     sorted_->setSortCaseSensitivity(Qt::CaseInsensitive);
+    sorted_->setFilterKeyColumn(-1);  // whatever a row shows
+    sorted_->setFilterCaseSensitivity(Qt::CaseInsensitive);
+    connect(filter_, &QLineEdit::textChanged, sorted_, &QSortFilterProxyModel::setFilterFixedString);
+    style::findBy(*this, [this] { return filter_; });
     view_->setModel(sorted_);
     view_->setItemDelegate(new RecordingDelegate(view_));
     setUp(view_);
@@ -116,7 +122,15 @@ RecordingsPage::RecordingsPage(Document& document, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(style::margin, style::margin, style::margin, style::margin);
     layout->setSpacing(2 * style::unit);
-    layout->addWidget(caption_);
+    filter_->setPlaceholderText(tr("Filter"));
+    filter_->setAccessibleName(tr("Filter the recordings"));
+    filter_->setClearButtonEnabled(true);
+    filter_->setMaximumWidth(60 * style::unit);
+    auto* top = new QHBoxLayout;
+    top->addWidget(caption_, 2);
+    top->addWidget(filter_, 1);
+    setTabOrder(filter_, view_);
+    layout->addLayout(top);
     layout->addWidget(view_, 1);
     layout->addLayout(buttons());
     connect(view_, &QWidget::customContextMenuRequested, this, &RecordingsPage::showMenu);

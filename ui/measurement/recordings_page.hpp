@@ -5,6 +5,7 @@
 #include <string>
 
 class QLabel;
+class QLineEdit;
 class QMenu;
 class QPushButton;
 class QSortFilterProxyModel;
@@ -25,6 +26,7 @@ public:
 
     RecordingsModel* model() const { return model_; }
     QTableView* view() const { return view_; }
+    QLineEdit* filterField() const { return filter_; }
     QPushButton* fitButton() const { return fit_; }
     QPushButton* searchButton() const { return search_; }
     QPushButton* closeButton() const { return close_; }
@@ -58,6 +60,7 @@ private:
     RecordingsModel* model_;
     QSortFilterProxyModel* sorted_;
     QTableView* view_;
+    QLineEdit* filter_;
     QLabel* caption_;
     QPushButton *fit_, *search_, *close_;
     bool isRunning_{};
