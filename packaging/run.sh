@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds the command line and runs the main job on the shipped lambda-sensor study:
-# fit, find what the model lacks, add it, refit, report. With a display the window is built after that, and opened. Run it as root or as a
-# user with sudo, as often as you like.
+# fit, find what the model lacks, add it, refit, report. With a display the window is built after that, and opened.
+# Run it as root or as a user with sudo, as often as you like.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source packaging/install.sh

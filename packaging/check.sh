@@ -1,0 +1,86 @@
+#!/usr/bin/env bash
+# Checks beside the gate (test.sh), by how long they take:
+#   packaging/check.sh fast               layout, and the tests labelled unit
+#   packaging/check.sh full [FOLDER]      fast; a build without the headers that are parsed once, as far as the syntax
+#   packaging/check.sh sanitize [TESTS]   tests under the address and undefined-behaviour, then the thread sanitizer
+#   packaging/check.sh nightly            full, sanitize, and the soak with few repetitions
+# FOLDER: only sources below it, core/effect, say. TESTS: programs, "test_fit test_ui"; all of core and the window else.
+# CTEST_ARGS: further options of ctest ("-R ^Fit"); GTEST_FILTER: chooses tests of a sanitize run.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source packaging/install.sh
+
+export QT_QPA_PLATFORM=offscreen
+jobs=$(nproc)
+core_tests="test_base test_syntax test_signal test_library test_diagram test_flat test_structure test_eval test_simulate
+    test_measure test_fit test_residual test_effect test_report test_study test_archive test_campaign test_export"
+
+fast() {
+    install_missing "${build_packages[@]}" "${format_packages[@]}"
+    say "Layout"
+    packaging/check-format.sh
+    say "Building everything in build/release"
+    cmake --preset release
+    cmake --build --preset release
+    say "Tests labelled unit"
+    # shellcheck disable=SC2086  # options are words
+    ctest --test-dir build/release --output-on-failure -j"$jobs" -L unit --no-tests=error ${CTEST_ARGS:-}
+}
+
+# Every source with its own includes alone: as far as the syntax, which is where a missing include shows.
+own_includes() {
+    python3 - build/plain "$jobs" "$1" <<'PYTHON'
+import concurrent.futures, json, os, shlex, subprocess, sys
+build, jobs, folder = sys.argv[1], int(sys.argv[2]), os.path.abspath(sys.argv[3])
+def lacks(entry):
+    words = shlex.split(entry["command"])
+    words[words.index("-o") + 1] = "/dev/null"
+    run = subprocess.run(words + ["-fsyntax-only"], cwd=entry["directory"], stderr=subprocess.PIPE, text=True)
+    return run.stderr if run.returncode else ""
+entries = [e for e in json.load(open(f"{build}/compile_commands.json"))
+           if e["file"].startswith(folder + "/") and not e["file"].startswith(os.path.abspath(build) + "/")]
+with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+    faults = [text for text in pool.map(lacks, entries) if text]
+print("\n".join(faults) + f"{len(entries)} sources, {len(faults)} of them at fault")
+sys.exit(bool(faults) or not entries)
+PYTHON
+}
+
+full() {
+    local folder=${1:-.}
+    install_missing "${build_packages[@]}"
+    say "Sources with their own includes alone, below $folder"
+    cmake --preset release -B build/plain -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
+    # what moc writes and what is embedded
+    cmake --build build/plain --target analogon_ui_autogen
+    own_includes "$folder"
+}
+
+sanitize() {
+    local tests=${1:-$core_tests test_ui} preset program
+    local failed=()
+    install_missing "${build_packages[@]}"
+    # the sanitizers have a heap of their own in the place of the one that LargeMemory is about
+    export GTEST_FILTER=${GTEST_FILTER:--LargeMemory.*}
+    export UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=detect_leaks=0 TSAN_OPTIONS=second_deadlock_stack=1
+    for preset in asan tsan; do
+        say "Building build/$preset: $tests"
+        cmake --preset "$preset" >/dev/null
+        # shellcheck disable=SC2086  # targets are words
+        cmake --build --preset "$preset" --target $tests
+        for program in $tests; do
+            say "$program, $preset"
+            "build/$preset/tests/$program" --gtest_brief=1 || failed+=("$program ($preset)")
+        done
+    done
+    [ ${#failed[@]} -eq 0 ] || { say "At fault: ${failed[*]}"; return 1; }
+}
+
+case "${1:-}" in
+    fast) fast ;;
+    full) [ $# -gt 1 ] || fast; full "${2:-.}" ;;
+    sanitize) sanitize "${2:-}" ;;
+    nightly) fast; full .; sanitize; packaging/soak.sh --quick ;;
+    *) sed -n '2,9s/^# \{0,1\}//p' "$0"; exit 2 ;;
+esac
+say "check.sh $1 has found no fault"
