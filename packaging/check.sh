@@ -1,9 +1,13 @@
 #!/usr/bin/env bash
 # Checks beside the gate (test.sh), by how long they take:
 #   packaging/check.sh fast               layout, and the tests labelled unit
-#   packaging/check.sh full [FOLDER]      fast; a build without the headers that are parsed once, as far as the syntax
+#   packaging/check.sh full [FOLDER]      fast; a build without the headers that are parsed once, as far as the syntax;
+#                                         clang-tidy (core/effect without FOLDER)
+#   packaging/check.sh tidy [FOLDER]      clang-tidy alone
+#   packaging/check.sh coverage [STAGES]  lines that the tests of a stage of core reach, against tests/coverage.txt
+#   packaging/check.sh bench              twelve cases of the bench, against tests/bench/score.txt
 #   packaging/check.sh sanitize [TESTS]   tests under the address and undefined-behaviour, then the thread sanitizer
-#   packaging/check.sh nightly            full, sanitize, and the soak with few repetitions
+#   packaging/check.sh nightly            full, sanitize, coverage, bench, and the soak with few repetitions
 # FOLDER: only sources below it, core/effect, say. TESTS: programs, "test_fit test_ui"; all of core and the window else.
 # CTEST_ARGS: further options of ctest ("-R ^Fit"); GTEST_FILTER: chooses tests of a sanitize run.
 set -euo pipefail
@@ -56,6 +60,39 @@ full() {
     own_includes "$folder"
 }
 
+# clang-tidy 16: 14 knows no parentheses around the members of an aggregate (C++20).
+tidy() {
+    local folder=${1:-core/effect} files
+    install_missing "${build_packages[@]}" clang-tidy-16
+    say "clang-tidy, below $folder"
+    cmake --preset release -B build/plain -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
+    files=$(find "$folder" -name '*.cpp' | sort)
+    [ -n "$files" ] || { echo "error: no source below $folder" >&2; return 1; }
+    xargs -P "$jobs" -n 1 timeout 600 clang-tidy-16 --quiet -p build/plain \
+        --extra-arg=-Wno-unknown-warning-option <<<"$files"
+}
+
+coverage() {
+    local stages=${1:-$(sed -n 's/^\([a-z]\+\) .*/\1/p' tests/coverage.txt)} stage targets=()
+    install_missing "${build_packages[@]}" gcovr
+    for stage in $stages; do targets+=("test_$stage"); done
+    say "Coverage of $stages"
+    cmake --preset coverage >/dev/null
+    cmake --build --preset coverage --target "${targets[@]}"
+    # shellcheck disable=SC2086  # stages are words
+    python3 tests/coverage.py build/coverage tests/coverage.txt $stages
+}
+
+bench() {
+    install_missing "${build_packages[@]}"
+    say "Twelve cases of the bench"
+    cmake --preset release >/dev/null
+    cmake --build --preset release --target analogon-cli
+    tests/bench/run_bench.sh build/release/app/analogon-cli build/bench -n 12 -s 2026 -t 900 -j "$jobs"
+    say "Against the stored score"
+    python3 tests/bench/score.py build/bench/results build/bench/cases --floor tests/bench/score.txt
+}
+
 sanitize() {
     local tests=${1:-$core_tests test_ui} preset program
     local failed=()
@@ -78,9 +115,12 @@ sanitize() {
 
 case "${1:-}" in
     fast) fast ;;
-    full) [ $# -gt 1 ] || fast; full "${2:-.}" ;;
+    full) [ $# -gt 1 ] || fast; full "${2:-.}"; tidy "${2:-core/effect}" ;;
+    tidy) tidy "${2:-core/effect}" ;;
+    coverage) coverage "${2:-}" ;;
+    bench) bench ;;
     sanitize) sanitize "${2:-}" ;;
-    nightly) fast; full .; sanitize; packaging/soak.sh --quick ;;
-    *) sed -n '2,9s/^# \{0,1\}//p' "$0"; exit 2 ;;
+    nightly) fast; full .; tidy; sanitize; coverage; bench; packaging/soak.sh --quick ;;
+    *) sed -n '2,12s/^# \{0,1\}//p' "$0"; exit 2 ;;
 esac
 say "check.sh $1 has found no fault"

@@ -1,11 +1,12 @@
 """Scores reports against the truth of generated cases.
 
-    score.py RESULTS CASES [--json] [--list]
+    score.py RESULTS CASES [--json] [--list] [--floor FILE]
 
 RESULTS holds one folder a case with report.json (and, if there, seconds.txt with the wall time and status.txt with the
 exit status); CASES one a case with truth.json. An effect counts as found when its kind and place are among the pairs
 that the truth accepts; a report may also name it among the alternatives that it calls equivalent. Whatever stands in a
-report beyond that is a wrong extra, unless the truth tolerates it. Intervals are Wilson's, 95 %.
+report beyond that is a wrong extra, unless the truth tolerates it. Intervals are Wilson's, 95 %. FILE holds the score
+that is stored for these cases, "cases", "right", "alarms" and "extras" a line each; a worse one ends with status 1.
 """
 import json
 import math
@@ -246,7 +247,23 @@ def list_cases(rows):
             "  x%.3f" % r["ratio"] if r.get("ratio") else "", "  %.1f s" % r["seconds"] if r["seconds"] else ""))
 
 
+def falls_below(rows, path):
+    """What is worse than the stored score, as lines; other cases than those it is for are worse, too."""
+    with open(path, encoding="utf-8") as f:
+        stored = {words[0]: int(words[1]) for words in (line.split("#")[0].split() for line in f) if words}
+    now = {"cases": len(rows), "right": sum(r["right"] for r in rows), "alarms": sum(r["alarm"] for r in rows),
+           "extras": sum(r["extra"] for r in rows)}
+    worse = {"cases": now["cases"] != stored["cases"], "right": now["right"] < stored["right"],
+             "alarms": now["alarms"] > stored["alarms"], "extras": now["extras"] > stored["extras"]}
+    return ["%s: %d, stored %d" % (name, now[name], stored[name]) for name in worse if worse[name]]
+
+
 def main(arguments):
+    floor = None
+    if "--floor" in arguments:
+        place = arguments.index("--floor")
+        floor = arguments[place + 1]
+        arguments = arguments[:place] + arguments[place + 2:]
     folders = [a for a in arguments if not a.startswith("--")]
     if len(folders) != 2:
         print(__doc__)
@@ -259,7 +276,10 @@ def main(arguments):
         list_cases(rows)
         print()
     show(rows)
-    return 0
+    worse = falls_below(rows, floor) if floor else []
+    for line in worse:
+        print("error: worse than the stored score of %s: %s" % (floor, line))
+    return 1 if worse else 0
 
 
 if __name__ == "__main__":
