@@ -158,9 +158,9 @@ public:
             probe.whitened.directions.reset();
             if (i > 0) probe.plain.directions.reset();
         }
-        const Eigen::MatrixXd strength = *result_.probes.front().column;
-        if (result_.isAbsorbed()) result_.absorbedBy = prober.imitators(strength.col(0));
-        result_.probes.front().strengthIn = directionOf(null_, strength, *result_.probes.front().plain.directions);
+        Probe& best = result_.probes.front();
+        if (result_.isAbsorbed()) result_.absorbedBy = prober.imitators(best.column->col(0));
+        best.strengthIn = directionOf(null_, *best.column, *best.plain.directions);
         for (Probe& probe : result_.probes) probe.column.reset();
         return Done{};
     }
@@ -181,9 +181,7 @@ private:
             if (!value) return value.diagnostics();
             result_.fixed[name] = *value;
         }
-        Outcome<Variant> wired = result_.fixed.empty()
-                                     ? std::move(off)
-                                     : withEffect(null_.variant, effect_, result_.candidate.place, result_.fixed);
+        Outcome<Variant> wired = result_.fixed.empty() ? std::move(off) : wiredIn(null_, result_);
         if (!wired) return wired.diagnostics();
         wired_ = std::move(*wired);
         for (const std::string& text : effect_.secant) {

@@ -30,9 +30,10 @@ struct Screened {
     Candidate candidate;
     std::map<std::string, double> fixed;
     std::optional<std::vector<ParameterValue>> begin;  // values to start at; none: those without it
-    std::shared_ptr<const Variant> recorded;  // `wired` along the recorded course of its variable; null: none is told
-    std::vector<Probe> probes;                // best first
-    Text failure;                             // why it could not be tried; empty: it was
+    std::shared_ptr<const Variant>
+        recorded;               // the effect along the recorded course of its variable; null: none is told
+    std::vector<Probe> probes;  // best first
+    Text failure;               // why it could not be tried; empty: it was
 
     double score() const;  // decrease of chi-square of the best probe (right sign)
     double whitenedScore() const;

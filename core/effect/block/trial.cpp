@@ -157,23 +157,6 @@ double promisedCost(const Linearisation& at) {
     return 0.5 * OrthogonalProjector(at.jacobian)(at.residuals).squaredNorm();
 }
 
-std::optional<TrialStart> prepareStart(const NullModel& null, const Screened& screened, const Variant& wired,
-                                       const Probe& probe, double strength, Text& failure) {
-    TrialStart start;
-    start.variant = wired;
-    start.variant.effects.back().freed = freedParameters(screened, probe, wired);
-    if (strength != 0) start.variant.effects.back().freed.front().start = strength;
-    for (const FitParameter& p : start.variant.effects.back().freed) start.variant.task.parameters.push_back(p);
-    Outcome<PreparedTask> prepared = prepareAt(start.variant, null.noise);
-    if (!prepared) {
-        failure = prepared.diagnostics().front().message;
-        return std::nullopt;
-    }
-    start.prepared = std::move(*prepared);
-    for (FitParameter& p : start.prepared.problem.parameters) p.start = std::clamp(p.start, p.min, p.max);
-    return start;
-}
-
 /// The strength of the newest effect among the parameters of its problem.
 std::vector<FitParameter>::iterator strengthOf(TrialStart& start) {
     const std::string& name = start.variant.effects.back().freed.front().name;
@@ -295,10 +278,8 @@ TrialStarts::TrialStarts(const NullModel& null, const Screened& screened, const 
         });
         const bool isFaint = probe->plain.explained < faintShare * offered.front().first->plain.explained;
         if (alike == mostStarts || (alike >= mostStarts / 2 && isFaint)) continue;
-        std::optional<TrialStart> start = prepareStart(null, screened, *wired, *probe, strength, best_.failure);
+        std::optional<TrialStart> start = begin(*wired, *probe, strength);
         if (!start) continue;
-        // the steps of the model without it serve near it, too: where that takes exact ones and this cannot, others
-        start->prepared.problem.knownPlans = null.plansOf(*start->prepared.system, options.simulation, progress);
         if (probe->secant == 0 && !probe->isAlongRecorded) takeBack(null, *start, rough, progress);
         start->isAlongRecorded = probe->isAlongRecorded;
         if (probe->isAlongRecorded) {
@@ -329,15 +310,35 @@ TrialStarts::TrialStarts(const NullModel& null, const Screened& screened, const 
     }
 }
 
-bool TrialStarts::resume(TrialStart& start) {
-    Outcome<PreparedTask> prepared = prepareAt(start.variant, null_.noise);
+std::optional<PreparedTask> TrialStarts::prepared(const Variant& variant) {
+    Outcome<PreparedTask> prepared = prepareAt(variant, null_.noise);
     if (!prepared) {
         best_.failure = prepared.diagnostics().front().message;
-        return false;
+        return std::nullopt;
     }
-    prepared->problem.parameters = std::move(start.prepared.problem.parameters);
+    // the steps of the model without it serve near it, too: where that takes exact ones and this cannot, others
     prepared->problem.knownPlans = null_.plansOf(*prepared->system, options_.simulation, progress_);
-    start.prepared = std::move(*prepared);
+    return std::move(*prepared);
+}
+
+std::optional<TrialStart> TrialStarts::begin(const Variant& wired, const Probe& probe, double strength) {
+    TrialStart start;
+    start.variant = wired;
+    start.variant.effects.back().freed = freedParameters(screened_, probe, wired);
+    if (strength != 0) start.variant.effects.back().freed.front().start = strength;
+    for (const FitParameter& p : start.variant.effects.back().freed) start.variant.task.parameters.push_back(p);
+    std::optional<PreparedTask> task = prepared(start.variant);
+    if (!task) return std::nullopt;
+    start.prepared = std::move(*task);
+    for (FitParameter& p : start.prepared.problem.parameters) p.start = std::clamp(p.start, p.min, p.max);
+    return start;
+}
+
+bool TrialStarts::resume(TrialStart& start) {
+    std::optional<PreparedTask> task = prepared(start.variant);
+    if (!task) return false;
+    task->problem.parameters = std::move(start.prepared.problem.parameters);
+    start.prepared = std::move(*task);
     return true;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -50,6 +51,9 @@ public:
     Trial best() && { return std::move(best_); }
 
 private:
+    /// Made ready; nothing where it cannot be, with the reason in `best_`.
+    std::optional<PreparedTask> prepared(const Variant& variant);
+    std::optional<TrialStart> begin(const Variant& wired, const Probe& probe, double strength);
     bool resume(TrialStart& start);
     void holdWholeNumber(TrialStart& start, FitResult& result) const;
 
