@@ -17,10 +17,9 @@
 #include "core/base/stopwatch.hpp"
 #include "core/base/unit.hpp"
 #include "core/fit/difference_slopes.hpp"
-#include "core/fit/known_product.hpp"
 #include "core/fit/misfit.hpp"
+#include "core/fit/optimum_uncertainty.hpp"
 #include "core/fit/partial_records.hpp"
-#include "core/fit/rounding.hpp"
 #include "core/fit/starts.hpp"
 #include "core/fit/uncertainty.hpp"
 
@@ -343,42 +342,6 @@ Text valuesText(const FitProblem& problem, const Eigen::VectorXd& values) {
     return list;
 }
 
-/// What no parameter moves says nothing of the scatter of what is fitted: it may be off by any amount, or be at rest.
-struct Unmoved {
-    double squares{};
-    Eigen::Index count{};
-};
-
-Unmoved unmovedChannels(const FitProblem& problem, const Linearisation& optimum) {
-    Unmoved unmoved;
-    Eigen::Index row = 0;
-    for (const FitExperiment& e : problem.experiments)
-        for (Eigen::Index o = 0; o < e.measured.rows(); ++o) {
-            if (!e.isFitted(o)) continue;
-            const Eigen::Index count = e.measured.cols() - e.measured.row(o).array().isNaN().count();
-            if (optimum.jacobian.middleRows(row, count).isZero(0.0)) {
-                unmoved.squares += optimum.residuals.segment(row, count).squaredNorm();
-                unmoved.count += count;
-            }
-            row += count;
-        }
-    return unmoved;
-}
-
-/// What is known of parameters that cannot be told apart.
-void addKnownProducts(const FitProblem& problem, const std::vector<std::string>& names, const Eigen::VectorXd& values,
-                      Uncertainty& uncertainty) {
-    std::vector<FittedValue> parameters;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        parameters.push_back({names[i], values[static_cast<Eigen::Index>(i)], problem.parameters[i].unit});
-    for (const KnownProduct& p : knownProducts(parameters, uncertainty.unseen, uncertainty.seen))
-        uncertainty.remarks.push_back(phrase("of these only {} is known: {}", p.name,
-                                             valueText(p.value, p.standardError) + behindNumber(p.unit)));
-    for (const KnownProduct& p : knownOfPairs(parameters, uncertainty.covariance))
-        uncertainty.remarks.push_back(phrase("{} is known far better than either: {}", p.name,
-                                             valueText(p.value, p.standardError) + behindNumber(p.unit)));
-}
-
 /// Residuals, Jacobian and confidence at the best point found.
 void conclude(const FitProblem& problem, const FitOptions& options, Descent& best, FitResult& result,
               const Progress& progress) {
@@ -417,19 +380,14 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
     if ((result.optimum.ok || isReduced) && K > 0) {
         std::vector<std::string> names;
         for (const FitParameter& p : problem.parameters) names.push_back(nameOf(problem, p));
-        const Unmoved unmoved = result.optimum.ok && result.optimum.jacobian.cols() == K
-                                    ? unmovedChannels(problem, result.optimum)
-                                    : Unmoved();
-        const auto freedom = static_cast<double>(problem.residualCount() - K - unmoved.count);
-        const double squares = 2.0 * result.cost - priors.squares() - unmoved.squares;
-        double variance = freedom > 0 ? std::max(0.0, squares) / freedom : 1.0;
-        if (options.loss != RobustLoss::None) variance = best.lossScale * best.lossScale;
-        if (problem.weightsAreNoise) variance = std::max(variance, 1.0);
         const ReducedMisfit reduced =
             isReduced ? best.reduced : withPriors(reduce(result.optimum.jacobian, result.optimum.residuals), priors);
-        uncertainty = uncertaintyOf(beyondRounding(problem, result.values, reduced.jacobian), variance, names);
-        addKnownProducts(problem, names, result.values, uncertainty);
-        result.variance = variance;
+        std::optional<double> ofLoss;
+        if (options.loss != RobustLoss::None) ofLoss = best.lossScale * best.lossScale;
+        OptimumUncertainty found = uncertaintyAt(problem, names, result.values, result.optimum, reduced.jacobian,
+                                                 2.0 * result.cost - priors.squares(), ofLoss);
+        uncertainty = std::move(found.uncertainty);
+        result.variance = found.variance;
     }
     Eigen::VectorXd robustErrors = Eigen::VectorXd::Constant(K, nan);
     if (options.findsRobustErrors && result.optimum.ok && K > 0)

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fit/optimum_uncertainty.hpp"
 #include "core/fit/priors.hpp"
 #include "core/fit/reduced_misfit.hpp"
-#include "core/fit/uncertainty.hpp"
 
 namespace analogon {
 
@@ -31,6 +31,14 @@ std::vector<OutputSensitivity> perOutput(const FitProblem& problem, const Eigen:
     return outputs;
 }
 
+/// Of a weighted residual, against which the priors weigh.
+double scatterOf(const FitProblem& problem, const Linearisation& line) {
+    if (problem.scatter > 0) return problem.scatter;
+    const auto freedom = static_cast<double>(line.residuals.size()) - static_cast<double>(problem.parameters.size());
+    const double scatter = freedom > 0 ? line.residuals.norm() / std::sqrt(freedom) : 1.0;
+    return problem.weightsAreNoise ? std::max(scatter, 1.0) : scatter;
+}
+
 }  // namespace
 
 Outcome<Sensitivity> sensitivityOf(const Study& study, const Progress& progress) {
@@ -51,13 +59,11 @@ Outcome<Sensitivity> sensitivityOf(const Study& study, const Progress& progress)
     }
     const Linearisation line = linearise(problem, result.values, true, {}, {}, progress);
     if (!line.ok) return error(line.failure);
-    const double freedom = static_cast<double>(problem.residualCount()) - static_cast<double>(result.values.size());
-    double variance = freedom > 0 ? line.residuals.squaredNorm() / freedom : 1.0;
-    if (problem.weightsAreNoise) variance = std::max(variance, 1.0);
-    const double scatter = problem.scatter > 0 ? problem.scatter : std::sqrt(variance);
-    const ReducedMisfit reduced =
-        withPriors(reduce(line.jacobian, line.residuals), priorResiduals(problem, result.values, scatter));
-    const Uncertainty uncertainty = uncertaintyOf(reduced.jacobian, variance, result.parameters);
+    const ReducedMisfit reduced = withPriors(reduce(line.jacobian, line.residuals),
+                                             priorResiduals(problem, result.values, scatterOf(problem, line)));
+    const Uncertainty uncertainty =
+        uncertaintyAt(problem, result.parameters, result.values, line, reduced.jacobian, line.residuals.squaredNorm())
+            .uncertainty;
     result.standardErrors = uncertainty.standardErrors;
     result.correlation = uncertainty.correlation;
     result.outputs = perOutput(problem, line.jacobian);
