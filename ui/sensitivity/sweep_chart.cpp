@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/signals/chart_axis.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
@@ -90,30 +91,11 @@ QColor SweepChart::colourOf(double errorPercent) const {
 }
 
 QAbstractAxis* SweepChart::axisOf(const std::string& title, const std::string& unit, bool isLogarithmic) const {
-    const QColor base = palette().color(QPalette::Base), text = palette().color(QPalette::Text);
-    QAbstractAxis* axis = nullptr;
-    if (isLogarithmic) {
-        auto* log = new QLogValueAxis;
-        log->setBase(10);
-        log->setMinorTickCount(8);
-        log->setLabelFormat("%.3g");
-        axis = log;
-    } else {
-        auto* linear = new QValueAxis;
-        linear->setLabelFormat("%.4g");
-        axis = linear;
-    }
-    QFont small = font();
-    small.setPointSizeF(small.pointSizeF() * 0.85);
     const bool hasUnit = !unit.empty() && unit != "1";
-    axis->setTitleText(QString::fromStdString(title) +
-                       (hasUnit ? " [" + QString::fromStdString(unit) + "]" : QString()));
-    axis->setTitleFont(small);
-    axis->setTitleBrush(style::mix(text, base, 0.35));
-    axis->setLabelsFont(small);
-    axis->setLabelsColor(style::mix(text, base, 0.35));
-    axis->setGridLinePen(QPen(style::mix(base, text, 0.10), 1));
-    axis->setLinePen(QPen(style::mix(base, text, 0.25), 1));
+    const QString whole =
+        QString::fromStdString(title) + (hasUnit ? " [" + QString::fromStdString(unit) + "]" : QString());
+    QAbstractAxis* const axis = makeAxis(whole, isLogarithmic, "%.4g", font(), palette());
+    if (auto* log = qobject_cast<QLogValueAxis*>(axis)) log->setMinorTickCount(8);
     return axis;
 }
 

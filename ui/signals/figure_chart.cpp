@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/signals/chart_axis.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
@@ -66,7 +67,7 @@ void FigureChart::workOut() {
 }
 
 void FigureChart::draw() {
-    const QColor base = palette().color(QPalette::Base), text = palette().color(QPalette::Text);
+    const QColor base = palette().color(QPalette::Base);
     chart()->setBackgroundBrush(base);
     setBackgroundBrush(base);
     chart()->removeAllSeries();
@@ -77,28 +78,8 @@ void FigureChart::draw() {
     chart()->setTitle(figure_.fault);
     chart()->setTitleBrush(style::mutedText(palette()));
     if (!figure_.fault.isEmpty()) return;
-    QFont small = font();
-    small.setPointSizeF(small.pointSizeF() * 0.85);
-    const auto make = [&](const QString& title) -> QAbstractAxis* {
-        QAbstractAxis* axis = nullptr;
-        if (figure_.isLogarithmic) {
-            auto* log = new QLogValueAxis;
-            log->setBase(10);
-            log->setLabelFormat("%.3g");
-            axis = log;
-        } else {
-            auto* linear = new QValueAxis;
-            linear->setLabelFormat("%.5g");
-            axis = linear;
-        }
-        axis->setTitleText(title);
-        axis->setTitleFont(small);
-        axis->setTitleBrush(style::mix(text, base, 0.35));
-        axis->setLabelsFont(small);
-        axis->setLabelsColor(style::mix(text, base, 0.35));
-        axis->setGridLinePen(QPen(style::mix(base, text, 0.10), 1));
-        axis->setLinePen(QPen(style::mix(base, text, 0.25), 1));
-        return axis;
+    const auto make = [&](const QString& title) {
+        return makeAxis(title, figure_.isLogarithmic, "%.5g", font(), palette());
     };
     QAbstractAxis *x = make(figure_.xLabel), *y = make(figure_.yLabel);
     chart()->addAxis(x, Qt::AlignBottom);

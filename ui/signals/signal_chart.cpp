@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "ui/plot/time_keys.hpp"
+#include "ui/signals/chart_axis.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
@@ -82,17 +83,10 @@ SignalChart::SignalChart(QWidget* parent) : QChartView(parent) {
 }
 
 void SignalChart::style() {
-    const QColor base = palette().color(QPalette::Base), text = palette().color(QPalette::Text);
+    const QColor base = palette().color(QPalette::Base);
     chart()->setBackgroundBrush(base);
     setBackgroundBrush(base);
-    QFont small = font();
-    small.setPointSizeF(small.pointSizeF() * 0.85);
-    for (QValueAxis* axis : {time_, left_, right_}) {
-        axis->setLabelsFont(small);
-        axis->setLabelsColor(style::mix(text, base, 0.35));
-        axis->setGridLinePen(QPen(style::mix(base, text, 0.10), 1));
-        axis->setLinePen(QPen(style::mix(base, text, 0.25), 1));
-    }
+    for (QValueAxis* axis : {time_, left_, right_}) styleAxis(*axis, font(), palette());
 }
 
 void SignalChart::setLines(std::vector<ChartLine> lines) {
