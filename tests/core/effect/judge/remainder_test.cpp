@@ -83,6 +83,16 @@ TEST(Leftovers, FindWhatMovesWithTheModelInSlowNoise) {
     EXPECT_TRUE(found.noise.empty());
 }
 
+TEST(Leftovers, TellWhatTheyMoveWithMostFirst) {
+    const Leftovers found = left(1, 0.1, [](double T) { return 0.02 * std::pow(T - 310, 2); });
+    ASSERT_EQ(found.structure.size(), 1u);
+    const std::vector<Correlate>& movesWith = found.structure.front().movesWith;
+    ASSERT_GE(movesWith.size(), 1u);
+    EXPECT_FALSE(movesWith.front().variable.empty());
+    for (std::size_t i = 1; i < movesWith.size(); ++i)
+        EXPECT_LE(std::abs(movesWith[i].correlation), std::abs(movesWith[i - 1].correlation));
+}
+
 TEST(Leftovers, FindStructureWhereTheInputStandsStill) {
     const Leftovers found = left(1, 0.1, [](double T) { return 2 * std::sin(T - 300); }, {even, steady});
     ASSERT_EQ(found.structure.size(), 1u) << "a body that is heated evenly moves as well";
