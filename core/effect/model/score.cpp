@@ -1,6 +1,5 @@
 #include "core/effect/model/score.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -179,7 +178,7 @@ double explainedTogether(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, con
 
 namespace {
 
-/// X^T X of all columns side by side, a part of the rows at a time.
+/// Products of all columns with each other: the lower triangle.
 Eigen::MatrixXd gramOf(const std::vector<SharedColumns>& columns, Eigen::Index total) {
     constexpr Eigen::Index part = 1024;
     const Eigen::Index rows = columns.front()->rows();
@@ -192,9 +191,30 @@ Eigen::MatrixXd gramOf(const std::vector<SharedColumns>& columns, Eigen::Index t
             some.middleCols(at, each->cols()) = each->middleRows(from, count);
             at += each->cols();
         }
-        gram.noalias() += some.transpose() * some;
+        gram.selfadjointView<Eigen::Lower>().rankUpdate(some.transpose());
     }
     return gram;
+}
+
+/// L with L L' = `gram` (lower triangle) but for a hundredth of a column, and no more columns than that takes: pivoted
+/// Cholesky, Higham 1990 (Reliable Numerical Computation, chapter 9).
+Eigen::MatrixXd rootOf(const Eigen::MatrixXd& gram) {
+    constexpr double negligible = 1e-4;  // of the largest square of a column
+    const Eigen::Index total = gram.rows();
+    Eigen::VectorXd left = gram.diagonal(), next(total);
+    const double least = negligible * left.maxCoeff();
+    Eigen::MatrixXd root(total, 0);
+    Eigen::Index rank = 0, pivot = 0;
+    while (rank < total && left.maxCoeff(&pivot) > least) {
+        if (rank == root.cols()) root.conservativeResize(Eigen::NoChange, std::min(total, 2 * rank + 16));
+        next << gram.row(pivot).head(pivot).transpose(), gram.col(pivot).tail(total - pivot);
+        next.noalias() -= root.leftCols(rank) * root.row(pivot).head(rank).transpose();
+        root.col(rank) = next / std::sqrt(left[pivot]);
+        left = (left - root.col(rank).cwiseAbs2()).cwiseMax(0);
+        left[pivot] = 0;
+        ++rank;
+    }
+    return root.leftCols(rank);
 }
 
 }  // namespace
@@ -208,26 +228,24 @@ double noiseThreshold(const std::vector<SharedColumns>& directions, double logRo
         total += d->cols();
     }
     if (total == 0) return 0;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gramOf(directions, total));
     // alike candidates share few directions: the others have no part in what is drawn
-    const Eigen::VectorXd sizes = eigen.eigenvalues().cwiseMax(0).cwiseSqrt();
-    const Eigen::Index rank = (sizes.array() > rounding * sizes.maxCoeff()).count();
-    const Eigen::MatrixXd root = eigen.eigenvectors().rightCols(rank) * sizes.tail(rank).asDiagonal();
+    const Eigen::MatrixXd root = rootOf(gramOf(directions, total));
 
-    constexpr int draws = 5000;
+    constexpr int draws = 5000, drawnAtOnce = 50;
     std::mt19937_64 generator(seed);
     std::normal_distribution<double> normal;
-    std::vector<double> largest(draws);
-    Eigen::VectorXd z(total);
-    for (double& value : largest) {
-        for (double& x : z) x = normal(generator);
-        const Eigen::VectorXd v = root * z.tail(rank);
-        value = -1e300;
-        for (std::size_t k = 0; k < directions.size(); ++k) {
-            const Eigen::Index columns = directions[k]->cols();
-            if (columns == 0) continue;
-            value =
-                std::max(value, v.segment(starts[k], columns).squaredNorm() - static_cast<double>(columns) * logRows);
+    std::vector<double> largest;
+    Eigen::MatrixXd z(root.cols(), drawnAtOnce), v(total, drawnAtOnce);
+    while (largest.size() < draws) {
+        for (double& x : z.reshaped()) x = normal(generator);
+        v.noalias() = root * z;
+        for (Eigen::Index draw = 0; draw < drawnAtOnce; ++draw) {
+            double most = -1e300;
+            for (std::size_t k = 0; k < directions.size(); ++k)
+                if (const Eigen::Index columns = directions[k]->cols(); columns > 0)
+                    most = std::max(most, v.col(draw).segment(starts[k], columns).squaredNorm() -
+                                              static_cast<double>(columns) * logRows);
+            largest.push_back(most);
         }
     }
     std::sort(largest.begin(), largest.end());
