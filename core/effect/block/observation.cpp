@@ -43,12 +43,26 @@ double Observations::statistic(const std::string& function, const std::string& v
 
 namespace {
 
-std::vector<std::string> texts(const EffectClass& effect) {
-    std::vector<std::string> all = effect.secant;
-    for (const auto& [name, text] : effect.fixed) all.push_back(text);
-    for (const auto& [name, list] : effect.shape) all.insert(all.end(), list.begin(), list.end());
-    if (!effect.valid.empty()) all.push_back(effect.valid);
-    return all;
+/// What the texts of an effect name of its own instance.
+struct Wanted {
+    std::set<std::string> variables;
+    bool through{};  // what flows through the nodes of its ports
+
+    bool isEmpty() const { return variables.empty(); }
+};
+
+Wanted wantedBy(const EffectClass& effect) {
+    std::vector<std::string> texts = effect.secant;
+    for (const auto& [name, text] : effect.fixed) texts.push_back(text);
+    for (const auto& [name, list] : effect.shape) texts.insert(texts.end(), list.begin(), list.end());
+    if (!effect.valid.empty()) texts.push_back(effect.valid);
+    Wanted wanted;
+    for (const std::string& t : texts) {
+        for (const std::string& v : shapeVariables(t)) wanted.variables.insert(v);
+        wanted.through = wanted.through || t.find("through(") != std::string::npos;
+    }
+    if (!effect.along.empty()) wanted.variables.insert(effect.along);
+    return wanted;
 }
 
 /// Flow variables at the other connectors of the node an effect sits on.
@@ -67,63 +81,85 @@ std::vector<std::string> flowsBeside(const PlacedEffect& placed, const FlatModel
     return flows;
 }
 
-}  // namespace
-
-Outcome<Observations> observeFor(const NullModel& null, const Variant& off, const SimulationOptions& simulation) {
-    const PlacedEffect& placed = off.effects.back();
-    std::set<std::string> variables;
-    bool wantsFlow = false;
-    for (const std::string& t : texts(placed.effect)) {
-        for (const std::string& v : shapeVariables(t)) variables.insert(v);
-        wantsFlow = wantsFlow || t.find("through(") != std::string::npos;
-    }
-    if (!placed.effect.along.empty()) variables.insert(placed.effect.along);
+/// The variables of one effect, which lie in the rows `first` and after of what was observed, its flows behind them.
+Observations observationsOf(const NullModel& null, const PreparedTask& held, const PlacedEffect& placed,
+                            const Wanted& wanted, const std::vector<Trajectory>& traces, Eigen::Index first,
+                            std::size_t flows) {
     Observations observations;
-    if (variables.empty()) return observations;
-    Outcome<PreparedTask> held = prepareHeld(off, {}, null.noise);
-    if (!held) return held.diagnostics();
-    std::vector<std::string> flows;
-    if (wantsFlow) {
-        Outcome<FlatModel> flat = flatten(off.task.library, off.task.className);
-        if (!flat) return flat.diagnostics();
-        flows = flowsBeside(placed, *flat);
-    }
-
-    std::vector<std::string> names;
-    for (const std::string& v : variables) names.push_back(placed.instance + "." + v);
-    names.insert(names.end(), flows.begin(), flows.end());
     std::vector<std::vector<double>> times;
     std::map<std::string, std::vector<std::vector<double>>> series;
-    const std::vector<Trajectory> traces = observe(null, *held, names, simulation);
     for (std::size_t e = 0; e < traces.size(); ++e) {
-        const Trajectory& t = traces[e];
-        times.push_back(held->problem.experiments[e].inputs.time);
-        std::size_t row = 0;
-        for (const std::string& v : variables) {
-            std::vector<double> x(static_cast<std::size_t>(t.observed.cols()));
-            for (std::size_t k = 0; k < x.size(); ++k)
-                x[k] = t.observed(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k));
-            series[v].push_back(std::move(x));
+        const Eigen::MatrixXd& observed = traces[e].observed;
+        times.push_back(held.problem.experiments[e].inputs.time);
+        const bool isSeen = observed.cols() > 0;  // else its simulation failed
+        Eigen::Index row = first;
+        for (const std::string& v : wanted.variables) {
+            const Eigen::VectorXd x = isSeen ? Eigen::VectorXd(observed.row(row)) : Eigen::VectorXd();
+            series[v].emplace_back(x.begin(), x.end());
             ++row;
         }
+        if (!wanted.through) continue;
         // what flows through the node: half the sum of all flows into its members
-        std::vector<double> through(static_cast<std::size_t>(t.observed.cols()), 0);
-        for (; row < names.size(); ++row)
-            for (std::size_t k = 0; k < through.size(); ++k)
-                through[k] += 0.5 * std::abs(t.observed(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k)));
-        if (wantsFlow)
-            for (const std::string& port : placed.effect.ports) series["through " + port].push_back(through);
+        Eigen::VectorXd through = Eigen::VectorXd::Zero(observed.cols());
+        for (std::size_t i = 0; isSeen && i < flows; ++i)
+            through += 0.5 * observed.row(row + static_cast<Eigen::Index>(i)).cwiseAbs().transpose();
+        for (const std::string& port : placed.effect.ports)
+            series["through " + port].emplace_back(through.begin(), through.end());
     }
     observations.setTimes(std::move(times));
     for (auto& [name, x] : series) observations.add(name, std::move(x));
-    if (series.contains(placed.effect.along)) {
-        std::vector<Eigen::VectorXd> simulated;
-        for (const std::vector<double>& x : observations.series(placed.effect.along))
-            simulated.emplace_back(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
-        if (std::optional<std::vector<Eigen::VectorXd>> lead = recordedLead(null, held->problem, simulated))
-            observations.setLead(placed.effect.along, std::move(*lead));
-    }
+    if (!series.contains(placed.effect.along)) return observations;
+    std::vector<Eigen::VectorXd> simulated;
+    for (const std::vector<double>& x : observations.series(placed.effect.along))
+        simulated.emplace_back(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
+    if (std::optional<std::vector<Eigen::VectorXd>> lead = recordedLead(null, held.problem, simulated))
+        observations.setLead(placed.effect.along, std::move(*lead));
     return observations;
+}
+
+}  // namespace
+
+Outcome<std::vector<Observations>> observeNewest(const NullModel& null, const Variant& off, std::size_t count,
+                                                 const PreparedTask& held, const SimulationOptions& simulation) {
+    const std::size_t begin = off.effects.size() - count;
+    std::optional<FlatModel> flat;
+    std::vector<Wanted> wanted;
+    std::vector<std::size_t> flows;
+    std::vector<std::string> names;
+    for (std::size_t i = begin; i < off.effects.size(); ++i) {
+        const PlacedEffect& placed = off.effects[i];
+        wanted.push_back(wantedBy(placed.effect));
+        for (const std::string& v : wanted.back().variables) names.push_back(placed.instance + "." + v);
+        flows.push_back(0);
+        if (!wanted.back().through) continue;
+        if (!flat) {
+            Outcome<FlatModel> whole = flatten(off.task.library, off.task.className);
+            if (!whole) return whole.diagnostics();
+            flat = std::move(*whole);
+        }
+        const std::vector<std::string> beside = flowsBeside(placed, *flat);
+        flows.back() = beside.size();
+        names.insert(names.end(), beside.begin(), beside.end());
+    }
+    std::vector<Observations> all(count);
+    if (names.empty()) return all;
+    const std::vector<Trajectory> traces = observe(null, held, names, simulation);
+    Eigen::Index first = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!wanted[i].isEmpty())
+            all[i] = observationsOf(null, held, off.effects[begin + i], wanted[i], traces, first, flows[i]);
+        first += static_cast<Eigen::Index>(wanted[i].variables.size() + flows[i]);
+    }
+    return all;
+}
+
+Outcome<Observations> observeFor(const NullModel& null, const Variant& off, const SimulationOptions& simulation) {
+    if (wantedBy(off.effects.back().effect).isEmpty()) return Observations();
+    Outcome<PreparedTask> held = prepareHeld(off, {}, null.noise);
+    if (!held) return held.diagnostics();
+    Outcome<std::vector<Observations>> newest = observeNewest(null, off, 1, *held, simulation);
+    if (!newest) return newest.diagnostics();
+    return std::move(newest->front());
 }
 
 ShapeContext contextOf(const NullModel& null, const Observations& observations) {

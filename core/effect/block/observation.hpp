@@ -50,6 +50,10 @@ private:
 /// Observes what the shapes of the newest effect of a variant name.
 Outcome<Observations> observeFor(const NullModel& null, const Variant& off, const SimulationOptions& simulation);
 
+/// The same of each of the `count` newest effects of a variant, in their order, all at once. `held`: of that variant.
+Outcome<std::vector<Observations>> observeNewest(const NullModel& null, const Variant& off, std::size_t count,
+                                                 const PreparedTask& held, const SimulationOptions& simulation);
+
 /// By which the texts of an effect's shapes are evaluated. `observations` must outlive it.
 ShapeContext contextOf(const NullModel& null, const Observations& observations);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/effect/block/probe_score.hpp"
+
 namespace analogon {
 namespace {
 
@@ -40,26 +42,12 @@ bool Prober::take(const std::map<std::string, double>& shape, double secant, Pro
     const std::optional<Eigen::MatrixXd> columns = traces(secant);
     if (!columns) return false;
     probe.column = Eigen::MatrixXd(columns->col(0));
-    probe.plain = plainScore(*columns);
-    probe.whitened = whitenedScore(*columns);
+    scoreProbe(null_, placed_.effect.oneSided, *columns, probe);
     return true;
 }
 
 int Prober::addedStates() const {
     return held_.system->stateCount() - static_cast<int>(null_.steps(simulation_, progress_).states.size());
-}
-
-std::vector<std::string> Prober::imitators(const Eigen::VectorXd& column) const {
-    const Eigen::VectorXd c = scores_.plain.coefficients(column);
-    std::vector<std::pair<double, std::string>> parts;
-    for (Eigen::Index j = 0; j < c.size(); ++j)
-        parts.emplace_back(std::abs(c[j]) * null_.fit.optimum.jacobian.col(j).norm(),
-                           null_.fit.estimates[static_cast<std::size_t>(j)].name);
-    std::sort(parts.rbegin(), parts.rend());
-    std::vector<std::string> names;
-    for (const auto& [part, name] : parts)
-        if (part > 0.1 * parts.front().first) names.push_back(name);
-    return names;
 }
 
 FitParameter Prober::named(const std::string& parameter) const {
@@ -76,14 +64,6 @@ void Prober::set(const std::string& parameter, double value) {
 
 Eigen::VectorXd Prober::off() const {
     return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(held_.problem.parameters.size()));
-}
-
-ColumnScore Prober::plainScore(const Eigen::MatrixXd& columns) const {
-    return scoreColumns(scores_.plain, null_.fit.optimum.residuals, columns, placed_.effect.oneSided);
-}
-
-ColumnScore Prober::whitenedScore(const Eigen::MatrixXd& columns) const {
-    return scoreColumns(scores_.white, scores_.whiteResidual, null_.whitener(columns), placed_.effect.oneSided);
 }
 
 std::optional<Eigen::MatrixXd> Prober::traces(double secant, const std::vector<GridPlan>& plans) {
@@ -127,13 +107,14 @@ bool Prober::takeWave(const std::map<std::string, double>& shape, Probe& probe) 
         if (!columns) return false;
         both.col(quarter) = columns->col(0);
     }
-    probe.plain = plainScore(both);
-    probe.whitened = whitenedScore(both);
+    scoreProbe(null_, effect.oneSided, both, probe);
     const Eigen::Vector2d parts = probe.plain.strengths;
     const double strength = parts.norm();
     probe.column = strength > 0 ? Eigen::MatrixXd(both * parts / strength) : Eigen::MatrixXd(both.col(0));
-    probe.plain.visible = plainScore(*probe.column).visible;
-    probe.whitened.visible = whitenedScore(*probe.column).visible;
+    Probe along;
+    scoreProbe(null_, effect.oneSided, *probe.column, along);
+    probe.plain.visible = along.plain.visible;
+    probe.whitened.visible = along.whitened.visible;
     probe.plain.strengths = Eigen::VectorXd::Constant(1, strength);
     probe.values[effect.phase] = std::atan2(parts[1], parts[0]);
     probe.isAlongRecorded = wired_.task.imposed.has_value();

@@ -21,7 +21,6 @@ public:
           course_(course),
           placed_(wired.effects.back()),
           wired_(wired),
-          scores_(null.scores()),
           simulation_(simulation),
           progress_(progress) {}
 
@@ -33,17 +32,12 @@ public:
     /// States beside those of the model.
     int addedStates() const;
 
-    std::vector<std::string> imitators(const Eigen::VectorXd& column) const;
-
 private:
     FitParameter named(const std::string& parameter) const;
 
     void set(const std::string& parameter, double value);
 
     Eigen::VectorXd off() const;
-
-    ColumnScore plainScore(const Eigen::MatrixXd& columns) const;
-    ColumnScore whitenedScore(const Eigen::MatrixXd& columns) const;
 
     /// Traces of the strength and of the further linear parameters, in units of the noise.
     std::optional<Eigen::MatrixXd> traces(double secant) { return traces(secant, plans_); }
@@ -60,7 +54,6 @@ private:
     const std::vector<std::vector<double>>& course_;
     const PlacedEffect& placed_;
     const Variant& wired_;
-    const ScoresBeside& scores_;
     std::vector<GridPlan> plans_;
     const SimulationOptions& simulation_;
     const Progress& progress_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/effect/block/observation.hpp"
+#include "core/effect/block/probe_score.hpp"
 #include "core/effect/block/prober.hpp"
 #include "core/effect/thresholds.hpp"
 
@@ -49,19 +50,6 @@ bool isAhead(const Observations& observations, const Screened& screened) {
     for (const Eigen::VectorXd& each : lead) largest = std::max(largest, each.cwiseAbs().maxCoeff());
     const double turn = effect.phase.empty() ? observations.statistic("range", effect.along) : 4 * quarterTurn;
     return largest > 0 && most * largest > leastLead * turn;
-}
-
-double scoreOf(const ColumnScore& s) { return s.wrongSign || s.visible < leastVisible ? 0 : s.explained; }
-
-/// The one direction of a score at no more rows than tell courses apart; empty: it has several.
-SharedColumns courseOf(const ColumnScore& score) {
-    constexpr Eigen::Index mostRows = 2000;
-    if (score.directions->cols() != 1) return {};
-    const Eigen::Index rows = score.directions->rows(), step = (rows + mostRows - 1) / mostRows;
-    if (step == 1) return score.directions;
-    Eigen::VectorXd some((rows + step - 1) / step);
-    for (Eigen::Index i = 0; i < some.size(); ++i) some[i] = (*score.directions)(i * step, 0);
-    return Eigen::MatrixXd(some.normalized());
 }
 
 /// Whether a place is the end of an elastic component that has no inertia there: another spring in series with it moves
@@ -124,13 +112,6 @@ Outcome<Variant> wiredIn(const NullModel& null, const Screened& screened) {
 
 namespace {
 
-/// A trace's part beside the model's parameters in the orthonormal `directions` that hold it, of length 1; zeros where
-/// there is none.
-Eigen::VectorXd directionOf(const NullModel& null, const Eigen::MatrixXd& trace, const Eigen::MatrixXd& directions) {
-    const Eigen::VectorXd parts = directions.transpose() * null.scores().plain(trace).col(0);
-    return parts.norm() > 0 ? Eigen::VectorXd(parts.normalized()) : parts;
-}
-
 /// One candidate on the way through its traces.
 class Screening {
 public:
@@ -149,19 +130,7 @@ public:
         if (isAhead(observations_, result_))
             if (const Outcome<Done> probed = probeAlongRecorded(); !probed) return probed.diagnostics();
         if (result_.probes.empty()) return error(phrase("no simulation with this effect succeeded"));
-        std::stable_sort(result_.probes.begin(), result_.probes.end(),
-                         [](const Probe& a, const Probe& b) { return scoreOf(a.plain) > scoreOf(b.plain); });
-        // a round keeps the probes of all candidates: what nobody asks for again takes more room than all else
-        for (std::size_t i = 0; i < result_.probes.size(); ++i) {
-            Probe& probe = result_.probes[i];
-            probe.course = courseOf(probe.plain);
-            probe.whitened.directions.reset();
-            if (i > 0) probe.plain.directions.reset();
-        }
-        Probe& best = result_.probes.front();
-        if (result_.isAbsorbed()) result_.absorbedBy = prober.imitators(best.column->col(0));
-        best.strengthIn = directionOf(null_, *best.column, *best.plain.directions);
-        for (Probe& probe : result_.probes) probe.column.reset();
+        keepBest(null_, result_);
         return Done{};
     }
     /// As far as it came.

@@ -110,6 +110,20 @@ Outcome<Variant> withEffect(const Variant& variant, const EffectClass& effect, c
     return changed;
 }
 
+Outcome<Variant> withEffectsBeside(const Variant& variant, const std::vector<EffectClass>& effects,
+                                   const std::vector<EffectPlace>& places) {
+    const LibraryClass* model = modelOf(variant.task);
+    if (model == nullptr) return error(phrase("unknown class '{}'", variant.task.className));
+    Outcome<WiredBeside> wired = wireInBeside(variant.task.library, *model->definition, effects.front(), places);
+    if (!wired) return wired.diagnostics();
+    Outcome<EstimationTask> task = withText(variant.task, syntax::apply(variant.task.model->text(), wired->edit).text);
+    if (!task) return task.diagnostics();
+    Variant changed{std::move(*task), variant.effects, variant.values, variant.plans};
+    for (std::size_t i = 0; i < places.size(); ++i)
+        changed.effects.push_back({effects[i], places[i], wired->instances[i], {}, {}, {}});
+    return changed;
+}
+
 Outcome<Variant> withEffects(const Variant& base, const std::vector<PlacedEffect>& effects,
                              const std::vector<ParameterValue>& values) {
     Variant variant = base;

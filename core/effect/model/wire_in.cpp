@@ -210,4 +210,28 @@ Outcome<WiredEffect> wireIn(const Library& library, const syntax::ClassDefinitio
     return wiring.finish();
 }
 
+Outcome<WiredBeside> wireInBeside(const Library& library, const syntax::ClassDefinition& model,
+                                  const EffectClass& effect, const std::vector<EffectPlace>& places) {
+    ModelEdit edit(model, nullptr, &library);
+    WiredBeside wired;
+    const std::string base = instanceName(library, model, effect);
+    for (const EffectPlace& place : places) {
+        NewComponent component;
+        component.className = effect.className;
+        component.name = freeName(library, model, fmt::format("{}_at{}_", base, wired.instances.size() + 1));
+        for (const auto& [name, text] : effect.bound) component.modifications.emplace_back(name, text);
+        edit.addComponent(component);
+        edit.addConnection(component.name + "." + effect.ports[0], place.connector, {}, {});
+        if (effect.way == Way::Bridge) edit.addConnection(component.name + "." + effect.ports[1], place.node, {}, {});
+        if (const std::string_view spare = place.spare; spare.starts_with(inputPrefix))
+            edit.addEquation(
+                fmt::format("{}.{} = {}", component.name, effect.channel, spare.substr(inputPrefix.size())));
+        wired.instances.push_back(component.name);
+    }
+    Outcome<syntax::TextEdit> finished = edit.finish(fmt::format("Add {} at {} places", effect.kind, places.size()));
+    if (!finished) return finished.diagnostics();
+    wired.edit = std::move(*finished);
+    return wired;
+}
+
 }  // namespace analogon

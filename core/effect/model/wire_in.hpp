@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "core/effect/model/place.hpp"
 #include "core/syntax/text_edit.hpp"
@@ -21,5 +22,16 @@ struct WiredEffect {
 Outcome<WiredEffect> wireIn(const Library& library, const syntax::ClassDefinition& model, const EffectClass& effect,
                             const EffectPlace& place, const std::map<std::string, double>& values,
                             const std::map<std::string, std::string>& expressions = {});
+
+/// An effect that is joined to nodes (attach, bridge), and to an input of the model or none, switched off, at several
+/// places at once.
+struct WiredBeside {
+    syntax::TextEdit edit;
+    std::vector<std::string> instances;  // one for each place
+};
+
+/// For what is simulated and never shown: nothing is laid out.
+Outcome<WiredBeside> wireInBeside(const Library& library, const syntax::ClassDefinition& model,
+                                  const EffectClass& effect, const std::vector<EffectPlace>& places);
 
 }  // namespace analogon

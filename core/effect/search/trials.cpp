@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/base/parallel.hpp"
+#include "core/effect/block/screen_together.hpp"
 #include "core/effect/judge/judgement.hpp"
 #include "core/effect/search/context.hpp"
 #include "core/effect/search/probe_twin.hpp"
@@ -160,14 +161,19 @@ std::vector<Screened> screenAll(const SearchContext& search, const NullModel& nu
     Outcome<std::vector<Candidate>> candidates = candidatesIn(search, null.variant);
     if (!candidates) return {};
     std::vector<Screened> screened(candidates->size());
+    const std::vector<std::vector<std::size_t>> groups = screenedTogether(*candidates);
     std::vector<std::size_t> costs;
-    for (const Candidate& c : *candidates) costs.push_back(tracesOf(c.effect));
+    for (const std::vector<std::size_t>& group : groups)
+        costs.push_back(group.size() * tracesOf((*candidates)[group.front()].effect));
     const std::vector<int> order = longestFirst(costs);
-    parallelFor(static_cast<int>(screened.size()), search.options.threads, [&](int k) {
-        const auto i = static_cast<std::size_t>(order[static_cast<std::size_t>(k)]);
-        const Candidate& c = (*candidates)[i];
-        search.say("screen", phrase("{} at {}", c.effect.kind, c.place.at), k / static_cast<double>(screened.size()));
-        screened[i] = screen(null, c, search.fit.simulation, search.progress);
+    parallelFor(static_cast<int>(groups.size()), search.options.threads, [&](int k) {
+        const std::vector<std::size_t>& group = groups[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])];
+        std::vector<Candidate> members;
+        for (const std::size_t i : group) members.push_back((*candidates)[i]);
+        search.say("screen", phrase("{} at {}", members.front().effect.kind, members.front().place.at),
+                   k / static_cast<double>(groups.size()));
+        std::vector<Screened> all = screenTogether(null, members, search.fit.simulation, search.progress);
+        for (std::size_t i = 0; i < group.size(); ++i) screened[group[i]] = std::move(all[i]);
     });
     refuseTwinsOfWrongSign(screened);
     return screened;

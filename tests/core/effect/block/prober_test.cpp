@@ -51,15 +51,5 @@ TEST(Prober, TakesASecantWhereTheSlopeMisleads) {
     EXPECT_NEAR(far.strength(), 3, 0.4);
 }
 
-TEST(Prober, NamesWhatImitatesAColumn) {
-    const NullModel null = fittedModel(laggingBody(0));
-    const Variant wired = wiredInto(null, "sensor.offset");
-    const SimulationOptions simulation;
-    const Progress progress;
-    Prober prober(null, wired, {}, simulation, progress);
-    ASSERT_TRUE(prober.compile());
-    EXPECT_EQ(prober.imitators(2 * null.fit.optimum.jacobian.col(0)), std::vector<std::string>{"joint.G"});
-}
-
 }  // namespace
 }  // namespace analogon
