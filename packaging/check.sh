@@ -7,7 +7,8 @@
 #   packaging/check.sh coverage [STAGES]  lines that the tests of a stage of core reach, against tests/coverage.txt
 #   packaging/check.sh bench              twelve cases of the bench, against tests/bench/score.txt
 #   packaging/check.sh sanitize [TESTS]   tests under the address and undefined-behaviour, then the thread sanitizer
-#   packaging/check.sh nightly            full, sanitize, coverage, bench, and the soak with few repetitions
+#   packaging/check.sh campaign [UNITS]   1000 units of a water pump, killed ten times, here and on a Slurm of its own
+#   packaging/check.sh nightly            full, sanitize, coverage, bench, campaign, and the soak with few repetitions
 # FOLDER: only sources below it, core/effect, say. TESTS: programs, "test_fit test_ui"; all of core and the window else.
 # CTEST_ARGS: further options of ctest ("-R ^Fit"); GTEST_FILTER: chooses tests of a sanitize run.
 set -euo pipefail
@@ -93,6 +94,22 @@ bench() {
     python3 tests/bench/score.py build/bench/results build/bench/cases --floor tests/bench/score.txt
 }
 
+# Fits of all units, searches of a tenth of them; on Slurm where it is installed and this is root.
+campaign() {
+    local units=${1:-1000} run=(python3 tests/bench/thousand_units.py build/release/app/analogon-cli)
+    install_missing "${build_packages[@]}"
+    cmake --preset release >/dev/null
+    cmake --build --preset release --target analogon-cli
+    rm -rf build/campaign
+    mkdir -p build/campaign
+    say "A campaign of $units units, killed ten times"
+    "${run[@]}" build/campaign/fits --units "$units"
+    say "Searches of $((units / 10)) units, killed ten times"
+    "${run[@]}" build/campaign/searches --units "$((units / 10))" --command discover
+    say "The same on Slurm"
+    MAX_ARRAY=201 tests/slurm/start.sh "${run[@]}" build/campaign/cluster --units "$units" --slurm || [ $? -eq 77 ]
+}
+
 sanitize() {
     local tests=${1:-$core_tests test_ui} preset program
     local failed=()
@@ -119,8 +136,9 @@ case "${1:-}" in
     tidy) tidy "${2:-core/effect}" ;;
     coverage) coverage "${2:-}" ;;
     bench) bench ;;
+    campaign) campaign "${2:-}" ;;
     sanitize) sanitize "${2:-}" ;;
-    nightly) fast; full .; tidy; sanitize; coverage; bench; packaging/soak.sh --quick ;;
-    *) sed -n '2,12s/^# \{0,1\}//p' "$0"; exit 2 ;;
+    nightly) fast; full .; tidy; sanitize; coverage; bench; campaign; packaging/soak.sh --quick ;;
+    *) sed -n '2,13s/^# \{0,1\}//p' "$0"; exit 2 ;;
 esac
 say "check.sh $1 has found no fault"

@@ -7,7 +7,7 @@ source packaging/install.sh
 
 install_missing "${build_packages[@]}" dpkg-dev file
 say "Building the programs"
-cmake --preset release
+cmake --preset release -DCMAKE_UNITY_BUILD=ON
 cmake --build --preset release --target analogon analogon-cli
 version=$(sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' build/release/CMakeCache.txt)
 packaging/sbom.sh "$version" build/release/app/analogon build/release/app/analogon-cli >build/release/analogon.spdx.json

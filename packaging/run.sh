@@ -12,7 +12,7 @@ out=out/lambda-sensor-heating
 install_missing "${build_packages[@]}"
 
 say "Configuring in build/release"
-cmake --preset release
+cmake --preset release -DCMAKE_UNITY_BUILD=ON
 
 say "Building the command line"
 cmake --build --preset release --target analogon-cli

@@ -8,7 +8,7 @@ source packaging/install.sh
 install_missing "${build_packages[@]}" "${format_packages[@]}"
 
 say "Configuring in build/release"
-cmake --preset release
+cmake --preset release -DCMAKE_UNITY_BUILD=ON
 
 say "Building programs and tests"
 cmake --build --preset release
