@@ -178,6 +178,9 @@ Diagnostic isNotInside(const NamedPath& named, const Span& place) {
         case NamedPath::Key::Measurement:
             return error(phrase("experiment '{}': the file '{}' is not in the archive", named.experiment, named.path),
                          place, phrase("An archive reads itself alone: put the measurement into it."));
+        case NamedPath::Key::Logo:
+            return error(phrase("the logo '{}' is not in the archive", named.path), place,
+                         phrase("An archive reads itself alone: put the logo into it."));
         case NamedPath::Key::Library:
             break;
     }

@@ -26,7 +26,10 @@ std::string code(std::string_view text) {
 
 /// "2.1e-11" as 2.1·10⁻¹¹, a leading minus as the sign.
 std::string html(std::string text) {
-    if (const std::size_t e = text.rfind('e'); e != std::string::npos && e > 0 && e + 1 < text.size()) {
+    const std::size_t e = text.rfind('e');
+    const bool isExponent = e != std::string::npos && e > 0 && e + 1 < text.size() &&
+                            text.find_first_not_of("+-0123456789", e + 1) == std::string::npos;
+    if (isExponent) {
         std::string exponent = text.substr(e + 1);
         if (exponent.front() == '-') exponent.replace(0, 1, "−");
         text = text.substr(0, e) + "·10<sup>" + exponent + "</sup>";
@@ -80,17 +83,20 @@ public:
         out_ =
             "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
             "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>" +
-            escapeHtml(context_.title) + " – Analogon</title><style>" + reportStyle() +
-            "</style></head>\n<body><main>\n";
+            escapeHtml(title()) + " – Analogon</title><style>" + reportStyle() + headStyle(context_.head) +
+            (hasDiagrams() ? diagramStyle() : "") + "</style></head>\n<body><main>\n";
+        out_ += headHtml(context_.head, context_.title, context_.logoUri);
         heading();
-        errors();
-        effects();
-        remainders();
-        plots();
-        parameters();
-        residuals();
-        candidates();
-        remarks();
+        const ReportHead& head = context_.head;
+        if (head.shows(ReportSection::Errors)) errors();
+        if (head.shows(ReportSection::Effects)) effects();
+        if (hasDiagrams()) out_ += "<h2>The model before and after</h2>\n" + diagramsHtml(*context_.diagrams);
+        if (head.shows(ReportSection::Unexplained)) remainders();
+        if (head.shows(ReportSection::Plots)) plots();
+        if (head.shows(ReportSection::Parameters)) parameters();
+        if (head.shows(ReportSection::Residuals)) residuals();
+        if (head.shows(ReportSection::Tried)) candidates();
+        if (head.shows(ReportSection::Remarks)) remarks();
         out_ += fmt::format("<footer>Analogon {} · {}{}</footer>\n</main></body></html>\n",
                             escapeHtml(context_.version), escapeHtml(context_.command),
                             finding_.seconds > 0 ? fmt::format(" · {} s", numberText(finding_.seconds, 3)) : "");
@@ -98,12 +104,14 @@ public:
     }
 
 private:
+    const std::string& title() const { return context_.head.title.empty() ? context_.title : context_.head.title; }
+    bool hasDiagrams() const { return context_.diagrams && context_.head.shows(ReportSection::Diagram); }
+
     void heading() {
         const char* const kind = context_.command == "simulate" ? "Simulation"
                                  : context_.command == "fit"    ? "Fit"
                                                                 : "Search for missing effects";
-        out_ += fmt::format("<p class=\"kicker\">{}</p><div class=\"heading\"><h1>{}</h1>", kind,
-                            escapeHtml(context_.title));
+        out_ += fmt::format("<p class=\"kicker\">{}</p><div class=\"heading\"><h1>{}</h1>", kind, escapeHtml(title()));
         if (context_.command != "simulate" && context_.command != "fit") {
             const char* const tone = finding_.kind == FindingKind::Partial || finding_.kind == FindingKind::Interrupted
                                          ? "warn"

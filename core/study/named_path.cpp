@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/study/pending_save.hpp"
+#include "core/study/report_settings.hpp"
 
 namespace analogon {
 
@@ -16,6 +17,8 @@ std::vector<NamedPath> namedPaths(const Study& study) {
     }
     for (std::size_t i = 0; i < study.libraryPaths.size(); ++i)
         paths.push_back({NamedPath::Key::Library, study.libraryPaths[i], {}, fmt::format("/library/{}", i)});
+    if (const std::string logo = reportHeadOf(study.extraJson).logo; !logo.empty())
+        paths.push_back({NamedPath::Key::Logo, logo, {}, "/report/logo"});
     return paths;
 }
 

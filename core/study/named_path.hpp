@@ -10,7 +10,7 @@ namespace analogon {
 
 /// A path that study.json names.
 struct NamedPath {
-    enum class Key { Measurement, Library };
+    enum class Key { Measurement, Library, Logo };
     Key key{};
     std::string path;        // as it stands there
     std::string experiment;  // whose measurement it is

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <optional>
@@ -13,7 +14,9 @@
 #include "core/base/file_step.hpp"
 #include "core/base/owned_directory.hpp"
 #include "core/base/stop.hpp"
+#include "core/report/logo.hpp"
 #include "core/report/report.hpp"
+#include "core/study/report_settings.hpp"
 #include "core/study/results_record.hpp"
 
 namespace analogon {
@@ -42,10 +45,25 @@ Outcome<Done> putFile(const fs::path& file, const fs::path& shown, const std::st
     return Done{};
 }
 
+/// What the report says beside the finding. A logo that cannot be used is told.
+ReportContext contextOf(const RunResult& result, const std::string& command, const std::optional<ReportHead>& head,
+                        Diagnostics& told) {
+    ReportContext context{result.completed.name, command, version};
+    context.head = head ? *head : reportHeadOf(result.completed.extraJson);
+    if (const std::string& logo = context.head.logo; !logo.empty()) {
+        Outcome<std::string> uri = logoUri(result.completed.directory / logo, logo);
+        if (uri)
+            context.logoUri = std::move(*uri);
+        else
+            std::transform(uri.diagnostics().begin(), uri.diagnostics().end(), std::back_inserter(told), asWarning);
+    }
+    if (context.head.shows(ReportSection::Diagram)) context.diagrams = diagramsOf(result);
+    return context;
+}
+
 /// All results in a directory of our own.
-Outcome<Done> fill(const fs::path& fresh, const fs::path& shown, const RunResult& result, const std::string& command,
-                   Traces kept, const std::string& unit) {
-    const ReportContext context{result.completed.name, command, version};
+Outcome<Done> fill(const fs::path& fresh, const fs::path& shown, const RunResult& result, Traces kept,
+                   const std::string& unit, const ReportContext& context) {
     const std::pair<const char*, std::string> files[] = {
         {"report.json", reportJson(result.finding, context)},
         {"report.html", reportHtml(result.finding, context)},
@@ -58,9 +76,14 @@ Outcome<Done> fill(const fs::path& fresh, const fs::path& shown, const RunResult
             if (Outcome<Done> done = putFile(fresh / name, shown / name, content); !done) return done;
     }
     stopPoint();
-    if (Outcome<Done> done = writeStudy(result.completed, fresh / "study"); !done) return done;
+    const auto put = [&](Study study, const char* name) {
+        if (reportHeadOf(study.extraJson) != context.head)
+            study.extraJson = withReportHead(study.extraJson, context.head);
+        return writeStudy(study, fresh / name);
+    };
+    if (Outcome<Done> done = put(result.completed, "study"); !done) return done;
     if (result.proposed)
-        if (Outcome<Done> done = writeStudy(*result.proposed, fresh / "study-proposed"); !done) return done;
+        if (Outcome<Done> done = put(*result.proposed, "study-proposed"); !done) return done;
     return Done{};
 }
 
@@ -258,8 +281,14 @@ ResultsPlace::~ResultsPlace() {
 }
 
 Outcome<Done> ResultsPlace::write(const RunResult& result, const std::string& command, Traces traces,
-                                  const std::string& unit) {
-    return replace([&](const fs::path& fresh) { return fill(fresh, directory_, result, command, traces, unit); });
+                                  const std::string& unit, const std::optional<ReportHead>& head) {
+    Diagnostics told;
+    const ReportContext context = contextOf(result, command, head, told);
+    const Outcome<Done> done =
+        replace([&](const fs::path& fresh) { return fill(fresh, directory_, result, traces, unit, context); });
+    if (!done) return done;
+    told.insert(told.begin(), done.diagnostics().begin(), done.diagnostics().end());
+    return {Done{}, std::move(told)};
 }
 
 Outcome<Done> ResultsPlace::writeTraces(const std::string& csv) {

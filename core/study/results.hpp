@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/directory_lock.hpp"
+#include "core/report/report_head.hpp"
 #include "core/study/run.hpp"
 
 namespace analogon {
@@ -28,9 +30,10 @@ public:
 
     /// Notes: what was kept under another name. Throws Stopped (core/base/stop) where that was asked for before the
     /// results were at their place; nothing has changed there then, and they can be written anew.
+    /// `head`: of the report; empty: that of the completed study. A logo that cannot be read is a warning.
     /// `unit`: what a campaign records of it (unit.json); empty: the study is of no campaign.
     Outcome<Done> write(const RunResult& result, const std::string& command, Traces traces = Traces::All,
-                        const std::string& unit = {});
+                        const std::string& unit = {}, const std::optional<ReportHead>& head = {});
     /// The same of traces alone: of a class that is no study.
     Outcome<Done> writeTraces(const std::string& csv);
     /// The same of the record of a unit that has no results.

@@ -9,6 +9,7 @@
 #include "core/study/json_places.hpp"
 #include "core/study/pending_save.hpp"
 #include "core/study/recorded.hpp"
+#include "core/study/report_settings.hpp"
 #include "core/study/study.hpp"
 #include "core/syntax/parser.hpp"
 
@@ -143,6 +144,8 @@ Outcome<Study> readFolder(const fs::path& file, const StudyFolder& folder, Unrea
     study.modelFile = fileOfClass(study.models, study.className);
     if (Diagnostics faults = readMeasurements(study, folder, unread, warnings); !faults.empty()) return faults;
     for (StudyExperiment& experiment : study.experiments) findTime(study.tables, experiment);
+    const Diagnostics ofReport = reportHeadFaults(study);
+    warnings.insert(warnings.end(), ofReport.begin(), ofReport.end());
     return {std::move(study), std::move(warnings)};
 }
 

@@ -64,9 +64,10 @@ public:
         readExperiments(root);
         readParameters(root);
         readLibrary(root);
-        keepUnknown(root, {"format", "class", "experiments", "parameters", "library", "plots"}, phrase("a study"),
-                    extra_);
-        if (const Node plots = root.member("plots")) extra_["plots"] = *plots.value;  // the window's own
+        keepUnknown(root, {"format", "class", "experiments", "parameters", "library", "plots", "report"},
+                    phrase("a study"), extra_);
+        for (const char* const name : {"plots", "report"})  // known, but of no work: read by those who show or write it
+            if (const Node node = root.member(name)) extra_[name] = *node.value;
         study_.extraJson = extra_.empty() ? std::string() : extra_.dump();
         study_.json = places_.source();
         if (!faults_.empty()) return first(std::move(faults_));

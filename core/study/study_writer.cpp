@@ -14,6 +14,7 @@
 #include "core/measure/encoding.hpp"
 #include "core/study/pending_save.hpp"
 #include "core/study/recorded.hpp"
+#include "core/study/report_settings.hpp"
 #include "core/study/study.hpp"
 
 namespace analogon {
@@ -100,10 +101,28 @@ private:
             experiment.file = placeOfMeasurement(from);
             if (Outcome<Done> done = putMeasurement(from, experiment.file); !done) return done;
         }
+        if (Outcome<Done> done = putLogo(placed); !done) return done;
         for (const auto& [name, text] : study_.models)
             if (Outcome<Done> done = put(name, text); !done) return done;
         if (Outcome<Done> done = putLibraries(placed); !done) return done;
         return put("study.json", studyJson(placed));
+    }
+
+    /// The picture of the report's head, where it is there; a missing one is told when the study is read.
+    Outcome<Done> putLogo(Study& placed) {
+        ReportHead head = reportHeadOf(placed.extraJson);
+        if (head.logo.empty()) return Done{};
+        const fs::path source = PendingSave::in(study_.directory).place(head.logo);
+        std::error_code code;
+        if (study_.directory.empty() && source.is_relative()) return Done{};
+        if (!fs::is_regular_file(source, code)) return Done{};
+        const std::string place = placeOfMeasurement(head.logo);
+        if (place != head.logo) {
+            head.logo = place;
+            placed.extraJson = withReportHead(placed.extraJson, head);
+        }
+        if (written_.contains(place) || fs::equivalent(source, target_ / place, code)) return Done{};
+        return copy(source, place);
     }
 
     /// A name that study.json can hold.

@@ -2,6 +2,192 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>FindDialog</name>
+    <message>
+        <source>Components</source>
+        <translation>Komponenten</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>What was tried</source>
+        <translation>Was probiert wurde</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>Text of the models</source>
+        <translation>Text der Modelle</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>anpassen</translation>
+    </message>
+    <message>
+        <source>validate</source>
+        <translation>validieren</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>Find in the study</source>
+        <translation>In der Studie suchen</translation>
+    </message>
+    <message>
+        <source>Component, parameter, signal, recording, effect, run, text</source>
+        <translation>Komponente, Parameter, Signal, Aufzeichnung, Effekt, Lauf, Text</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>Nothing of the study is called so.</source>
+        <translation>Nichts in der Studie heißt so.</translation>
+    </message>
+    <message>
+        <source>%1 found. Enter goes there, Esc closes.</source>
+        <translation>%1 gefunden. Eingabe führt hin, Esc schließt.</translation>
+    </message>
+</context>
+<context>
+    <name>ReportDialog</name>
+    <message>
+        <source>Errors of each recording</source>
+        <translation>Fehler jeder Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Effects with their evidence</source>
+        <translation>Effekte mit ihren Belegen</translation>
+    </message>
+    <message>
+        <source>Diagram before and after</source>
+        <translation>Diagramm vorher und nachher</translation>
+    </message>
+    <message>
+        <source>What is unexplained</source>
+        <translation>Was nicht erklärt ist</translation>
+    </message>
+    <message>
+        <source>Measured and simulated</source>
+        <translation>Gemessen und simuliert</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>What is left</source>
+        <translation>Was übrig bleibt</translation>
+    </message>
+    <message>
+        <source>What was tried</source>
+        <translation>Was probiert wurde</translation>
+    </message>
+    <message>
+        <source>Warnings and remarks</source>
+        <translation>Warnungen und Bemerkungen</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Write report …</source>
+        <translation>Bericht schreiben …</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Preview of the head</source>
+        <translation>Vorschau des Kopfes</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Keep the head in the study without writing a report</source>
+        <translation>Den Kopf in der Studie behalten, ohne einen Bericht zu schreiben</translation>
+    </message>
+    <message>
+        <source>There is no result yet.</source>
+        <translation>Es gibt noch kein Ergebnis.</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>Heute</translation>
+    </message>
+    <message>
+        <source>Today's date</source>
+        <translation>Datum von heute</translation>
+    </message>
+    <message>
+        <source>Choose a picture: PNG, JPEG or SVG</source>
+        <translation>Ein Bild wählen: PNG, JPEG oder SVG</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Test object</source>
+        <translation>Prüfling</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Verfasser</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Logo</source>
+        <translation>Logo</translation>
+    </message>
+    <message>
+        <source>PNG, JPEG or SVG; it is kept with the study</source>
+        <translation>PNG, JPEG oder SVG; es wird bei der Studie aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Abschnitte</translation>
+    </message>
+    <message>
+        <source>Choose a logo</source>
+        <translation>Logo wählen</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.svg)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg *.svg)</translation>
+    </message>
+    <message>
+        <source>Logo: %1</source>
+        <translation>Logo: %1</translation>
+    </message>
+    <message>
+        <source>Head of the report</source>
+        <translation>Kopf des Berichts</translation>
+    </message>
+</context>
+<context>
     <name>BlockItem</name>
     <message>
         <source>This class is not known.</source>
@@ -680,6 +866,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>Every run of Simulate (F4), Fit (F5) and Discover (F6) is kept here.</source>
         <translation>Jeder Lauf von „Simulieren“ (F4), „Anpassen“ (F5) und „Effekt suchen“ (F6) bleibt hier erhalten.</translation>
+    </message>
+    <message>
+        <source>Find a run</source>
+        <translation>Lauf suchen</translation>
     </message>
 </context>
 <context>
@@ -4430,6 +4620,22 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <source>How far each trace moves with each parameter, and which parameters the recordings tell hardly apart</source>
         <translation>Wie weit sich jede Kurve mit jedem Parameter bewegt, und welche Parameter die Aufzeichnungen kaum unterscheiden</translation>
     </message>
+    <message>
+        <source>Head of the report …</source>
+        <translation>Kopf des Berichts …</translation>
+    </message>
+    <message>
+        <source>Title, test object, author, date, logo and sections of the reports of this study</source>
+        <translation>Titel, Prüfling, Verfasser, Datum, Logo und Abschnitte der Berichte dieser Studie</translation>
+    </message>
+    <message>
+        <source>Find in the study …</source>
+        <translation>In der Studie suchen …</translation>
+    </message>
+    <message>
+        <source>Components, parameters, signals, recordings, effects that were tried, runs and texts</source>
+        <translation>Komponenten, Parameter, Signale, Aufzeichnungen, probierte Effekte, Läufe und Texte</translation>
+    </message>
 </context>
 <context>
     <name>MainWindowFiles</name>
@@ -5769,6 +5975,22 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>Click to sort; a third click brings back the order in which they were tried</source>
         <translation>Klicken sortiert; ein dritter Klick stellt die Reihenfolge der Versuche wieder her</translation>
+    </message>
+    <message>
+        <source>Test object</source>
+        <translation>Prüfling</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Verfasser</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
     </message>
 </context>
 <context>
@@ -12960,6 +13182,54 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>both axes of the sweep are {}</source>
         <translation>beide Achsen sind {}</translation>
+    </message>
+    <message>
+        <source>the logo has {} kB, and a report carries up to {}</source>
+        <translation>das Logo hat {} kB, und ein Bericht trägt bis zu {}</translation>
+    </message>
+    <message>
+        <source>Save it smaller: a logo is shown 64 pixels high.</source>
+        <translation>Kleiner speichern: ein Logo wird 64 Pixel hoch gezeigt.</translation>
+    </message>
+    <message>
+        <source>the logo is neither PNG, JPEG nor SVG</source>
+        <translation>das Logo ist weder PNG noch JPEG noch SVG</translation>
+    </message>
+    <message>
+        <source>Save it in one of these formats.</source>
+        <translation>In einem dieser Formate speichern.</translation>
+    </message>
+    <message>
+        <source>the head of the report: expected an object {{…}}</source>
+        <translation>der Kopf des Berichts: erwartet wird ein Objekt {{…}}</translation>
+    </message>
+    <message>
+        <source>the head of the report: "{}" must be a text</source>
+        <translation>der Kopf des Berichts: „{}“ muss ein Text sein</translation>
+    </message>
+    <message>
+        <source>the head of the report: "{}" must be a list of sections</source>
+        <translation>der Kopf des Berichts: „{}“ muss eine Liste von Abschnitten sein</translation>
+    </message>
+    <message>
+        <source>the report has no such section; there are {}</source>
+        <translation>diesen Abschnitt hat der Bericht nicht; es gibt {}</translation>
+    </message>
+    <message>
+        <source>The report is written without it.</source>
+        <translation>Der Bericht wird ohne dies geschrieben.</translation>
+    </message>
+    <message>
+        <source>the logo '{}': {}</source>
+        <translation>das Logo „{}“: {}</translation>
+    </message>
+    <message>
+        <source>the logo '{}' is not in the archive</source>
+        <translation>das Logo „{}“ ist nicht im Archiv</translation>
+    </message>
+    <message>
+        <source>An archive reads itself alone: put the logo into it.</source>
+        <translation>Ein Archiv liest nur sich selbst: das Logo hineinlegen.</translation>
     </message>
 </context>
 <context>

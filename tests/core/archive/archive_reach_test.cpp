@@ -75,7 +75,8 @@ TEST_F(ArchiveReach, EndsWithTheArchiveForEveryPathOfTheStudy) {
     const std::string member[] = {
         "\"experiments\": [{\"name\": \"x\", \"role\": \"fit\", \"file\": \"%\", \"time\": \"t\", \"inputs\": {}, "
         "\"outputs\": {\"y\": \"u\"}}]",
-        "\"experiments\": [], \"library\": [\"inside.mo\", \"%\"]"};
+        "\"experiments\": [], \"library\": [\"inside.mo\", \"%\"]",
+        "\"experiments\": [], \"report\": {\"logo\": \"%\"}"};
     for (const std::string& each : member)
         for (const std::string& path :
              {(root / "secret.csv").string(), std::string("../secret.csv"), std::string("data/../../secret.csv"),

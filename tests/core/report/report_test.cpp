@@ -151,6 +151,12 @@ TEST(ReportHtml, IsOneFileWithoutAnythingFromOutside) {
     EXPECT_THAT(html, HasSubstr("prefers-color-scheme: dark"));
 }
 
+TEST(ReportHtml, TakesNoLetterOfASentenceForAnExponent) {
+    const std::string html = reportHtml(sampleFinding(), discoverContext);
+    EXPECT_THAT(html, HasSubstr("<dt>Confidence</dt><dd>" + confidenceWords(sampleFinding().effects[0]).english()));
+    EXPECT_THAT(html, HasSubstr("·10<sup>−11</sup>"));
+}
+
 TEST(ReportHtml, EscapesEveryText) {
     Finding finding = sampleFinding();
     finding.baseline.experiments[0].name = finding.final.experiments[0].name = "<img onerror=alert(1)>";

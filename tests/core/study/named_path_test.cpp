@@ -16,15 +16,17 @@ TEST(NamedPaths, AreAllThatStudyJsonNamesEachWithItsPlace) {
     const auto json = std::make_shared<const Source>("study.json", R"({"format": "analogon-study-1", "class": "M",
       "experiments": [{"name": "a", "role": "fit", "file": "path-1", "time": "t", "inputs": {}, "outputs": {"y": "Y"}},
         {"name": "b", "role": "validate", "file": "path-2", "time": "t", "inputs": {}, "outputs": {"y": "Y"}}],
-      "parameters": {}, "library": ["path-3", "path-4"]})");
+      "parameters": {}, "library": ["path-3", "path-4"], "report": {"logo": "path-5"}})");
     const Outcome<Study> study = parseStudyJson(json);
     ASSERT_TRUE(study) << format(study.diagnostics());
     const std::vector<NamedPath> paths = namedPaths(*study);
-    ASSERT_EQ(paths.size(), 4u);
+    ASSERT_EQ(paths.size(), 5u);
     for (std::size_t i = 0; i < paths.size(); ++i) {
         EXPECT_EQ(paths[i].path, "path-" + std::to_string(i + 1));
         EXPECT_EQ(JsonPlaces(json).value(paths[i].pointer).text(), "\"" + paths[i].path + "\"");
-        EXPECT_EQ(paths[i].key, i < 2 ? NamedPath::Key::Measurement : NamedPath::Key::Library);
+        EXPECT_EQ(paths[i].key, i < 2   ? NamedPath::Key::Measurement
+                                : i < 4 ? NamedPath::Key::Library
+                                        : NamedPath::Key::Logo);
     }
     EXPECT_EQ(paths[1].experiment, "b");
 }
