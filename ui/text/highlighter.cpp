@@ -2,8 +2,11 @@
 
 #include <QRegularExpression>
 #include <QSet>
+#include <QTextDocument>
+#include <utility>
 
 #include "ui/style/style.hpp"
+#include "ui/text/annotation_folds.hpp"
 
 namespace analogon::ui {
 
@@ -23,7 +26,35 @@ enum State { Normal = 0, InComment = 1 };
 
 }  // namespace
 
+void Highlighter::hide(HiddenParts parts) {
+    const HiddenParts before = std::exchange(hidden_, std::move(parts));
+    QSet<int> lines;
+    for (const auto& [line, now] : hidden_)
+        if (const auto same = before.find(line); same == before.end() || same->second != now) lines.insert(line);
+    for (const auto& [line, was] : before)
+        if (!hidden_.contains(line)) lines.insert(line);
+    for (const int line : lines)
+        if (const QTextBlock block = document()->findBlockByNumber(line); block.isValid()) rehighlightBlock(block);
+}
+
 void Highlighter::highlightBlock(const QString& text) {
+    colour(text);
+    const auto parts = hidden_.find(currentBlock().blockNumber());
+    if (parts == hidden_.end()) return;
+    QTextCharFormat unseen;
+    unseen.setForeground(Qt::transparent);
+    QTextCharFormat gone = unseen;
+    gone.setProperty(QTextFormat::FontPixelSize, 1);
+    gone.setFontLetterSpacingType(QFont::PercentageSpacing);
+    gone.setFontLetterSpacing(1);
+    for (const auto& [first, count] : parts->second) {
+        const int kept = std::min(count, AnnotationFolds::markWidth);
+        setFormat(first, kept, unseen);
+        setFormat(first + kept, count - kept, gone);
+    }
+}
+
+void Highlighter::colour(const QString& text) {
     static const QRegularExpression token(
         R"re((?<comment>//.*$)|(?<open>/\*)|(?<string>"(?:\\.|[^"\\])*"?)|(?<number>\b\d+(?:\.\d*)?(?:[eE][+-]?\d+)?)|(?<word>[A-Za-z_][A-Za-z0-9_]*))re");
     const QColor comment = style::mix(palette_.color(QPalette::Text), palette_.color(QPalette::Base), 0.36);

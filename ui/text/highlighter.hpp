@@ -2,6 +2,7 @@
 
 #include <QPalette>
 #include <QSyntaxHighlighter>
+#include <map>
 
 namespace analogon::ui {
 
@@ -13,12 +14,19 @@ public:
         palette_ = palette;
         rehighlight();
     }
+    /// Parts of lines, by the number of the line: first character and how many. The first of each keep their room,
+    /// without being seen, for a mark in their place (AnnotationFolds::markWidth); the others take none.
+    using HiddenParts = std::map<int, QList<std::pair<int, int>>>;
+    void hide(HiddenParts parts);
 
 protected:
     void highlightBlock(const QString& text) override;
 
 private:
+    void colour(const QString& text);
+
     QPalette palette_;
+    HiddenParts hidden_;
 };
 
 }  // namespace analogon::ui

@@ -2,12 +2,15 @@
 
 #include <QFileInfo>
 #include <QFontDatabase>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QTextBlock>
 #include <QToolTip>
+#include <utility>
 
 #include "ui/document/document.hpp"
 #include "ui/style/style.hpp"
+#include "ui/text/annotation_folds.hpp"
 #include "ui/text/find_bar.hpp"
 #include "ui/text/highlighter.hpp"
 #include "ui/text/name_popup.hpp"
@@ -15,12 +18,27 @@
 
 namespace analogon::ui {
 
+namespace {
+
+constexpr int foldWidth = 4 * style::unit;  // of the margin, for the arrows
+
+/// Ctrl+. folds or opens the line, Ctrl+Alt+. all of them.
+bool isFoldKey(const QKeyEvent& key) {
+    return key.key() == Qt::Key_Period && key.modifiers().testFlag(Qt::ControlModifier) &&
+           !key.modifiers().testFlag(Qt::ShiftModifier);
+}
+
+}  // namespace
+
 class TextView::LineNumbers : public QWidget {
 public:
     explicit LineNumbers(TextView& view) : QWidget(&view), view_(view) {}
 
 protected:
     void paintEvent(QPaintEvent* event) override { view_.paintLineNumbers(event); }
+    void mousePressEvent(QMouseEvent* event) override {
+        if (event->button() != Qt::LeftButton || !view_.foldAt(event->position())) event->ignore();
+    }
 
 private:
     TextView& view_;
@@ -40,7 +58,13 @@ TextView::TextView(Document& document, QWidget* parent)
     fixed.setPointSizeF(font().pointSizeF());
     setFont(fixed);
     setAccessibleName(tr("Model text"));
-    (new Highlighter(this->document()))->setObjectName("highlighter");
+    auto* highlighter = new Highlighter(this->document());
+    highlighter->setObjectName("highlighter");
+    folds_ = new AnnotationFolds(*this, *highlighter);
+    connect(folds_, &AnnotationFolds::changed, this, [this] {
+        viewport()->update();
+        lineNumbers_->update();
+    });
     connect(this, &QPlainTextEdit::updateRequest, lineNumbers_, [this] { lineNumbers_->update(); });
     connect(this, &QPlainTextEdit::blockCountChanged, this, &TextView::updateMargins);
     connect(&document, &Document::modelChanged, this, &TextView::refresh);
@@ -49,7 +73,9 @@ TextView::TextView(Document& document, QWidget* parent)
     connect(&typing_, &QTimer::timeout, this, &TextView::commit);
     connect(this, &QPlainTextEdit::textChanged, this, [this] {
         // colouring it anew changes the text, too, and what a hidden view holds is out of date
-        if (!isRefreshing_ && !isStale_) typing_.start();
+        if (isRefreshing_ || isStale_) return;
+        typing_.start();
+        updateFolds();
     });
     connect(this, &QPlainTextEdit::textChanged, find_, [this] {
         if (find_->isVisible()) find_->search();
@@ -79,6 +105,7 @@ void TextView::refresh() {
     cursor.setPosition(static_cast<int>(now.size() - back), QTextCursor::KeepAnchor);
     cursor.insertText(wanted.mid(front, wanted.size() - back - front));
     isRefreshing_ = false;
+    updateFolds();
     shown_.clear();
     underline();
 }
@@ -133,6 +160,7 @@ void TextView::showMarks() {
 }
 
 void TextView::keyPressEvent(QKeyEvent* event) {
+    if (foldBy(*event)) return event->accept();
     if (event->matches(QKeySequence::Find)) return find_->open();
     if (event->key() == Qt::Key_F3) return find_->next(event->modifiers() & Qt::ShiftModifier);
     if (event->key() == Qt::Key_Escape && find_->isVisible()) return find_->hide();
@@ -166,7 +194,7 @@ bool TextView::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         auto* key = static_cast<QKeyEvent*>(event);
         if (key->matches(QKeySequence::Find) || key->key() == Qt::Key_F3 ||
-            (key->key() == Qt::Key_Escape && find_->isVisible())) {
+            (key->key() == Qt::Key_Escape && find_->isVisible()) || isFoldKey(*key)) {
             event->accept();
             return true;
         }
@@ -213,7 +241,7 @@ void TextView::showPlace(int line, int column, int length) {
 
 int TextView::lineNumberWidth() const {
     const int digits = std::max(2, static_cast<int>(QString::number(blockCount()).size()));
-    return fontMetrics().horizontalAdvance(QLatin1Char('9')) * digits + 5 * style::unit;
+    return fontMetrics().horizontalAdvance(QLatin1Char('9')) * digits + 5 * style::unit + foldWidth;
 }
 
 void TextView::updateMargins() { setViewportMargins(lineNumberWidth(), 0, 0, 0); }
@@ -238,13 +266,106 @@ void TextView::paintLineNumbers(QPaintEvent* event) {
     painter.fillRect(event->rect(), palette().color(QPalette::Base));
     painter.setFont(font());
     painter.setPen(style::mix(palette().color(QPalette::Text), palette().color(QPalette::Base), 0.42));
-    const int width = lineNumbers_->width() - 3 * style::unit;
+    const int width = lineNumbers_->width() - style::unit - foldWidth;
     for (QTextBlock block = firstVisibleBlock(); block.isValid(); block = block.next()) {
         const QRectF line = blockBoundingGeometry(block).translated(contentOffset());
         if (line.top() > event->rect().bottom()) break;
+        if (!block.isVisible()) continue;
         painter.drawText(QRectF(0, line.top(), width, line.height()), Qt::AlignRight | Qt::AlignVCenter,
                          QString::number(block.blockNumber() + 1));
+        paintFoldMark(painter, block, line);
     }
+}
+
+/// A small arrow: to the right where something of the line is folded, downward where it could be.
+void TextView::paintFoldMark(QPainter& painter, const QTextBlock& block, const QRectF& line) const {
+    const AnnotationFolds::Line fold = folds_->lineAt(block);
+    if (fold == AnnotationFolds::Line::Plain) return;
+    constexpr double half = 3.5;  // [px]
+    const QPointF centre(lineNumbers_->width() - foldWidth / 2.0, line.center().y());
+    QPolygonF arrow{QVector<QPointF>{{-half, -half / 2}, {half, -half / 2}, {0, half}}};
+    if (fold == AnnotationFolds::Line::Folded)
+        arrow = {QVector<QPointF>{{-half / 2, -half}, {half, 0}, {-half / 2, half}}};
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(painter.pen().color());
+    painter.setPen(Qt::NoPen);
+    painter.drawPolygon(arrow.translated(centre));
+    painter.restore();
+}
+
+QWidget* TextView::margin() const { return lineNumbers_; }
+
+QRect TextView::foldMark(int line) const {
+    const QTextBlock block = document()->findBlockByNumber(line - 1);
+    const QRectF at = blockBoundingGeometry(block).translated(contentOffset());
+    return QRectF(lineNumbers_->width() - foldWidth, at.top(), foldWidth, at.height()).toRect();
+}
+
+bool TextView::foldAt(const QPointF& inMargin) {
+    if (inMargin.x() < lineNumbers_->width() - foldWidth) return false;
+    for (QTextBlock block = firstVisibleBlock(); block.isValid(); block = block.next()) {
+        const QRectF line = blockBoundingGeometry(block).translated(contentOffset());
+        if (!block.isVisible() || inMargin.y() >= line.bottom()) continue;
+        if (folds_->lineAt(block) == AnnotationFolds::Line::Plain) return false;
+        folds_->toggle(block);
+        return true;
+    }
+    return false;
+}
+
+/// What the caret is in is opened as it comes there, so a key can fold it, too.
+bool TextView::foldBy(const QKeyEvent& key) {
+    if (!isFoldKey(key)) return false;
+    if (key.modifiers().testFlag(Qt::AltModifier))
+        folds_->setAllFolded(folds_->folded() == 0);
+    else
+        folds_->toggle(textCursor().block());
+    return true;
+}
+
+void TextView::updateFolds() {
+    const bool wasRefreshing = std::exchange(isRefreshing_, true);  // what changes are colours alone
+    folds_->update();
+    isRefreshing_ = wasRefreshing;
+}
+
+/// The mark in place of what is folded, in the coordinates of the viewport.
+QRectF TextView::foldRect(int position) const {
+    QTextCursor at(document());
+    at.setPosition(position);
+    const QRectF caret = cursorRect(at);
+    const double width = fontMetrics().horizontalAdvance(QLatin1Char('9')) * AnnotationFolds::markWidth;
+    return QRectF(caret.left() + 1, caret.top() + 2, width - 2, caret.height() - 4);
+}
+
+void TextView::paintEvent(QPaintEvent* event) {
+    QPlainTextEdit::paintEvent(event);
+    QPainter painter(viewport());
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QColor ground = style::mix(palette().color(QPalette::Base), palette().color(QPalette::Text), 0.12);
+    for (QTextBlock block = firstVisibleBlock(); block.isValid(); block = block.next()) {
+        if (blockBoundingGeometry(block).translated(contentOffset()).top() > event->rect().bottom()) break;
+        if (!block.isVisible()) continue;
+        for (const int mark : folds_->marksOf(block)) {
+            const QRectF rect = foldRect(mark);
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(ground);
+            painter.drawRoundedRect(rect, 3, 3);
+            painter.setPen(style::mutedText(palette()));
+            painter.drawText(rect, Qt::AlignCenter, QStringLiteral("…"));
+        }
+    }
+}
+
+void TextView::mousePressEvent(QMouseEvent* event) {
+    const QTextBlock block = cursorForPosition(event->position().toPoint()).block();
+    for (const int mark : folds_->marksOf(block))
+        if (event->button() == Qt::LeftButton && foldRect(mark).contains(event->position())) {
+            folds_->toggle(block);
+            return event->accept();
+        }
+    QPlainTextEdit::mousePressEvent(event);
 }
 
 }  // namespace analogon::ui
