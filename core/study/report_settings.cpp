@@ -51,7 +51,7 @@ std::string sectionNames() {
 /// Why the parts of a head are not what they should be, each with its pointer within study.json.
 std::vector<std::pair<std::string, Text>> wrongParts(const Json& report) {
     const std::string top = fmt::format("/{}", member);
-    if (!report.is_object()) return {{top, phrase("the head of the report: expected an object {{…}}")}};
+    if (!report.is_object()) return {{top, phrase("the head of the report must be a group of named texts")}};
     std::vector<std::pair<std::string, Text>> wrong;
     for (const TextMember& each : textMembers)
         if (const auto found = report.find(each.name); found != report.end() && !found->is_string())

@@ -13200,8 +13200,8 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>In einem dieser Formate speichern.</translation>
     </message>
     <message>
-        <source>the head of the report: expected an object {{…}}</source>
-        <translation>der Kopf des Berichts: erwartet wird ein Objekt {{…}}</translation>
+        <source>the head of the report must be a group of named texts</source>
+        <translation>der Kopf des Berichts muss eine Gruppe benannter Texte sein</translation>
     </message>
     <message>
         <source>the head of the report: "{}" must be a text</source>

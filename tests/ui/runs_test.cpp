@@ -146,4 +146,28 @@ TEST_F(Runs, BringTheirPlotsWithThem) {
     EXPECT_EQ(document().shownRun(), document().history()[0].number);
 }
 
+TEST_F(Runs, CtrlFFindsThemByNameNoteAndEffect) {
+    openLambda();
+    run(RunKind::Fit);
+    run(RunKind::Fit);
+    showRuns();
+    document().describeRun(document().history()[0].number, "night shift", "new valve");
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    runs()->history()->setFocus();
+    QTest::keyClick(runs()->history(), Qt::Key_F, Qt::ControlModifier);
+    QLineEdit* field = runs()->filterField();
+    ASSERT_TRUE(field->isVisible());
+    EXPECT_TRUE(field->hasFocus());
+    QTest::keyClicks(field, "VALVE night");
+    EXPECT_FALSE(runs()->history()->topLevelItem(0)->isHidden());
+    EXPECT_TRUE(runs()->history()->topLevelItem(1)->isHidden());
+    run(RunKind::Fit);
+    EXPECT_TRUE(runs()->history()->topLevelItem(2)->isHidden()) << "the filter holds for runs that follow";
+    field->setFocus();
+    QTest::keyClick(field, Qt::Key_Escape);
+    EXPECT_FALSE(field->isVisible());
+    for (int row = 0; row < 3; ++row) EXPECT_FALSE(runs()->history()->topLevelItem(row)->isHidden());
+}
+
 }  // namespace analogon::ui

@@ -3,8 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
+#include <QLabel>
+#include <QTextDocument>
+#include <QTextDocumentFragment>
+#include <QTextOption>
 #include <QToolButton>
 
+#include "ui/signals/breakable.hpp"
+#include "ui/style/style.hpp"
 #include "ui/style/translator.hpp"
 
 namespace analogon::ui {
@@ -26,6 +32,31 @@ TEST(SignalStrip, KeepsItsButtonsInANarrowPanelInEachLanguage) {
         EXPECT_LE(close->geometry().right(), strip.width()) << language.toStdString();
         QCoreApplication::removeTranslator(&translator);
     }
+}
+
+/// What a legend says, in a picture of it: each letter is drawn within it.
+TEST(SignalStrip, LosesNoWordOfALegendThatIsLongerThanThePlotIsWide) {
+    for (const char* name :
+         {"BasicElectricMechanical_of_the_first_pump.rotor.flange_a.tau", "averylongwordwithoutanysign", "short"}) {
+        const QString html = breakable(name);
+        QLabel legend;
+        legend.setTextFormat(Qt::RichText);
+        legend.setWordWrap(true);
+        legend.setText(html);
+        const int narrow = 24 * style::unit;
+        QTextDocument document;
+        document.setDocumentMargin(0);
+        document.setDefaultFont(legend.font());
+        QTextOption option;
+        option.setWrapMode(QTextOption::WordWrap);
+        document.setDefaultTextOption(option);
+        document.setHtml(html);
+        document.setTextWidth(narrow);
+        EXPECT_LE(document.idealWidth(), narrow) << name;
+        EXPECT_GE(legend.heightForWidth(narrow), static_cast<int>(document.size().height())) << name;
+        EXPECT_EQ(QTextDocumentFragment::fromHtml(html).toPlainText().remove(QChar(0x200B)), name);
+    }
+    EXPECT_EQ(breakable("a<b"), QString("a&lt;") + QChar(0x200B) + "b");
 }
 
 }  // namespace analogon::ui

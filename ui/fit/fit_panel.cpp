@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QShortcut>
 #include <QSpinBox>
 #include <QSplitter>
 #include <QToolButton>
@@ -24,6 +25,7 @@
 #include "ui/fit/error_curve.hpp"
 #include "ui/fit/run_controller.hpp"
 #include "ui/fit/stop_field.hpp"
+#include "ui/style/find_key.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
@@ -77,6 +79,7 @@ FitPanel::FitPanel(Document& document, RunController& controller, QWidget* paren
       comparison_(makeTable({tr("Parameter")}, this)),
       restore_(new QPushButton(tr("Go back to this run"), this)),
       pin_(new QToolButton(this)),
+      filter_(new QLineEdit(this)),
       name_(new QLineEdit(this)),
       note_(new QLineEdit(this)),
       details_(new QWidget(this)) {
@@ -171,6 +174,19 @@ void FitPanel::createParts() {
     note_->setPlaceholderText(tr("Note"));
     note_->setAccessibleName(tr("Note on the run"));
     note_->setMaxLength(2000);
+    filter_->setPlaceholderText(tr("Find a run"));
+    filter_->setAccessibleName(tr("Find a run"));
+    filter_->setClearButtonEnabled(true);
+    filter_->hide();
+    connect(filter_, &QLineEdit::textChanged, this, &FitPanel::filter);
+    auto* leave = new QShortcut(Qt::Key_Escape, filter_);
+    leave->setContext(Qt::WidgetShortcut);
+    connect(leave, &QShortcut::activated, this, &FitPanel::leaveFilter);
+    style::findBy(*this, [this]() -> QLineEdit* {
+        if (history_->topLevelItemCount() == 0) return nullptr;
+        filter_->show();
+        return filter_;
+    });
     auto* words = new QHBoxLayout(details_);
     words->setContentsMargins(0, 0, 0, 0);
     words->addWidget(name_, 1);
@@ -183,6 +199,7 @@ void FitPanel::createParts() {
     auto* list = new QVBoxLayout(runs);
     list->setContentsMargins(0, 0, 0, 0);
     list->setSpacing(2 * style::unit);
+    list->addWidget(filter_);
     list->addWidget(history_, 1);
     list->addWidget(details_);
     list->addWidget(hint_);
@@ -247,7 +264,29 @@ void FitPanel::refresh() {
     }
     for (int row = 0; row < history_->topLevelItemCount(); ++row)
         showRow(history_->topLevelItem(row), runs[static_cast<std::size_t>(row)]);
+    if (runs.empty()) leaveFilter();
+    filter();
     compare();
+}
+
+/// Leaves the runs that hold each word in their name, note, effect or time.
+void FitPanel::filter() {
+    const QStringList words = filter_->text().toLower().split(' ', Qt::SkipEmptyParts);
+    for (int row = 0; row < history_->topLevelItemCount(); ++row) {
+        QTreeWidgetItem* const item = history_->topLevelItem(row);
+        const QString said = (item->text(0) + '\n' + item->toolTip(0) + '\n' + item->text(1)).toLower();
+        const bool isFound =
+            std::all_of(words.begin(), words.end(), [&](const QString& word) { return said.contains(word); });
+        item->setHidden(!isFound);
+        if (!isFound) item->setSelected(false);
+    }
+}
+
+void FitPanel::leaveFilter() {
+    if (filter_->isHidden()) return;
+    filter_->clear();
+    filter_->hide();
+    history_->setFocus(Qt::ShortcutFocusReason);
 }
 
 void FitPanel::showRow(QTreeWidgetItem* item, const RunRecord& run) const {

@@ -32,6 +32,7 @@ public:
     QSpinBox* startsBox() const { return starts_; }
     ErrorCurve* curve() const { return curve_; }
     QTreeWidget* history() const { return history_; }
+    QLineEdit* filterField() const { return filter_; }  // seen once Ctrl+F asks for it
     QTreeWidget* comparison() const { return comparison_; }
     QPushButton* restoreButton() const { return restore_; }
     QToolButton* pinButton() const { return pin_; }
@@ -44,6 +45,8 @@ private:
     void applyOptions();
     void refresh();
     void showRow(QTreeWidgetItem* item, const RunRecord& run) const;
+    void filter();
+    void leaveFilter();
     void showDetails();
     void compare();
     void describe();
@@ -61,7 +64,7 @@ private:
     QTreeWidget *history_, *comparison_;
     QPushButton* restore_;
     QToolButton* pin_;
-    QLineEdit *name_, *note_;
+    QLineEdit *filter_, *name_, *note_;
     QWidget *options_, *details_;
     QElapsedTimer clock_;
 };

@@ -11,6 +11,7 @@
 
 #include "ui/document/document.hpp"
 #include "ui/plot/series.hpp"
+#include "ui/signals/breakable.hpp"
 #include "ui/signals/signal_chart.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
@@ -201,7 +202,7 @@ void SensitivityPage::draw() {
             const double rms =
                 std::sqrt(values->squaredNorm() / std::max<double>(1, static_cast<double>(values->size())));
             legend << QStringLiteral("<span style='color:%1'>▬</span>&nbsp;%2&nbsp;<span style='color:%3'>%4</span>")
-                          .arg(colour.name(), name.toHtmlEscaped(), style::mutedText(palette()).name(),
+                          .arg(colour.name(), breakable(name), style::mutedText(palette()).name(),
                                tr("rms %1").arg(style::numberText(rms, 3)).replace(u' ', QChar::Nbsp));
         }
         if (!output.time.empty()) chart_->setTimeRange(output.time.front(), output.time.back());

@@ -13,6 +13,7 @@
 
 #include "core/signal/formula.hpp"
 #include "core/signal/range_figures.hpp"
+#include "ui/signals/breakable.hpp"
 #include "ui/signals/figure_chart.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
@@ -31,16 +32,13 @@ double valueAt(const SignalData& data, double time) {
     return valuesAt(*data.time, data.values, wanted).front();
 }
 
-/// A long name of many components may break behind a dot, and the rest of an entry stays together.
-QString breakable(const QString& name) { return name.toHtmlEscaped().replace(".", ".<wbr>"); }
-
 }  // namespace
 
 SignalStrip::SignalStrip(QWidget* parent)
     : QWidget(parent), chart_(new SignalChart), figure_(new FigureChart), views_(new QComboBox), legend_(new QLabel) {
     setAcceptDrops(true);
     legend_->setWordWrap(true);
-    legend_->setMinimumWidth(24 * style::unit);  // a long word is cut before the buttons beside it are
+    legend_->setMinimumWidth(24 * style::unit);  // for the longest part of a name that cannot break
     legend_->setTextFormat(Qt::RichText);
     legend_->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
     const auto button = [this](const QString& text, const QString& tip) {
@@ -150,7 +148,7 @@ void SignalStrip::writeLegend() {
         if (line.reference.kind == SignalKind::Residual) name = tr("residual of %1").arg(name);
         if (hasRecordings_)
             name += QStringLiteral(" <span style='color:%1'>· %2</span>")
-                        .arg(muted.name(), line.reference.recording.toHtmlEscaped());
+                        .arg(muted.name(), breakable(line.reference.recording));
         const bool isFault = line.data && !line.data->time;
         QString figures = figuresOf(line).toHtmlEscaped();
         if (!isFault) figures.replace(" ", "&nbsp;").replace(",&nbsp;", ", ");  // a number stays with its word
@@ -163,7 +161,9 @@ void SignalStrip::writeLegend() {
     legend_->setText(text);
 }
 
-QString SignalStrip::legendText() const { return QTextDocumentFragment::fromHtml(legend_->text()).toPlainText(); }
+QString SignalStrip::legendText() const {
+    return QTextDocumentFragment::fromHtml(legend_->text()).toPlainText().remove(QChar(0x200B));
+}
 
 void SignalStrip::dragEnterEvent(QDragEnterEvent* event) {
     if (!event->mimeData()->hasFormat(signalMime)) return;

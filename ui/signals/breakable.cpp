@@ -1,0 +1,20 @@
+#include "ui/signals/breakable.hpp"
+
+namespace analogon::ui {
+
+QString breakable(const QString& name) {
+    constexpr int longest = 12;  // letters between two places to break: as many as the narrowest legend has room for
+    QString html;
+    int letters = 0;
+    for (const QChar c : name) {
+        html += QString(c).toHtmlEscaped();
+        ++letters;
+        const bool isPair = c.isHighSurrogate();
+        if (isPair || (c.isLetterOrNumber() && letters < longest)) continue;
+        if (!c.isSpace()) html += QChar(0x200B);  // a label of Qt knows no <wbr>
+        letters = 0;
+    }
+    return html;
+}
+
+}  // namespace analogon::ui

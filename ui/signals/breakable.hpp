@@ -1,0 +1,11 @@
+#pragma once
+
+#include <QString>
+
+namespace analogon::ui {
+
+/// A name as HTML that may break behind each sign in it, and within a long word without one: in a narrow legend it
+/// takes another line, and no letter of it is cut off.
+QString breakable(const QString& name);
+
+}  // namespace analogon::ui
