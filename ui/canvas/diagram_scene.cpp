@@ -1,6 +1,7 @@
 #include "ui/canvas/diagram_scene.hpp"
 
 #include <QPainter>
+#include <QWidget>
 #include <algorithm>
 #include <cmath>
 #include <set>

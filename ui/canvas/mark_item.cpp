@@ -1,6 +1,7 @@
 #include "ui/canvas/mark_item.hpp"
 
 #include <QPainter>
+#include <QWidget>
 #include <algorithm>
 #include <cmath>
 

@@ -1,7 +1,6 @@
 #include "ui/effect/report_pdf.hpp"
 
 #include <QBuffer>
-#include <QDate>
 #include <QFile>
 #include <QPageSize>
 #include <QPdfWriter>
@@ -13,6 +12,7 @@
 #include "core/base/whole_file.hpp"
 #include "core/report/words.hpp"
 #include "ui/effect/finding_words.hpp"
+#include "ui/effect/report_top.hpp"
 #include "ui/effect/result_panel.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
@@ -57,17 +57,16 @@ private:
     QString html_;
 };
 
-}  // namespace
-
-QString reportBody(const QString& title, RunKind kind, const Finding& finding, std::size_t pictures) {
-    QString html =
-        QStringLiteral("<h1>%1</h1><p>%2</p>")
-            .arg(title.toHtmlEscaped(), style::windowLocale().toString(QDate::currentDate(), QLocale::LongFormat));
+QString verdictPart(const Finding& finding, RunKind kind) {
     const FindingWords verdict = findingWords(finding, kind);
-    html += "<h2>" + verdict.title.toHtmlEscaped() + "</h2><p>";
+    QString html = "<h2>" + verdict.title.toHtmlEscaped() + "</h2><p>";
     if (finding.effects.size() > 1)
         for (const AddedEffect& e : finding.effects) html += effectTitle(e).toHtmlEscaped() + "<br>";
     html += verdict.sentence.toHtmlEscaped() + "</p>";
+    return html;
+}
+
+QString errorsPart(const Finding& finding) {
     HtmlTable errors({tr("Error"), tr("Role"), tr("Before"), tr("After")});
     for (const ExperimentState& after : finding.final.experiments) {
         double was = std::nan("");
@@ -76,18 +75,26 @@ QString reportBody(const QString& title, RunKind kind, const Finding& finding, s
         errors.add({text(after.name), after.role == Role::Fit ? tr("fit") : tr("validate"), number(was, 3) + " %",
                     number(after.errorPercent, 3) + " %"});
     }
-    html += errors.html();
-    if (!finding.warnings.empty()) html += "<h2>" + tr("Caution") + "</h2><ul>";
+    return errors.html();
+}
+
+QString cautionsPart(const Finding& finding) {
+    if (finding.warnings.empty()) return {};
+    QString html = "<h2>" + tr("Caution") + "</h2><ul>";
     for (const Text& warning : finding.warnings) html += "<li>" + inWords(warning).toHtmlEscaped() + "</li>";
-    if (!finding.warnings.empty()) html += "</ul>";
-    for (std::size_t i = 0; i < pictures; ++i)
-        html += QStringLiteral("<p><img src='picture:%1' width='640'></p>").arg(i);
-    html += "<h2>" + tr("Parameters") + "</h2>";
+    return html + "</ul>";
+}
+
+QString parametersPart(const Finding& finding) {
     HtmlTable parameters({tr("Parameter"), tr("Value"), tr("Unit")});
     for (const auto& [e, experiment] : estimatesOf(finding.final))
         parameters.add({text(experiment.empty() ? e->name : e->name + " (" + experiment + ")"),
                         style::withDecimalSign(valueText(e->value, e->standardError)), text(e->unit)});
-    html += parameters.html();
+    return "<h2>" + tr("Parameters") + "</h2>" + parameters.html();
+}
+
+QString effectsPart(const Finding& finding) {
+    QString html;
     for (const AddedEffect& e : finding.effects) {
         html += "<h2>" + effectTitle(e).toHtmlEscaped() + "</h2>";
         HtmlTable evidence({text(e.kind), QString()});
@@ -101,6 +108,11 @@ QString reportBody(const QString& title, RunKind kind, const Finding& finding, s
         html += evidence.html();
         html += "<p>" + equivalentWords(e).toHtmlEscaped() + "</p>";
     }
+    return html;
+}
+
+QString unexplainedPart(const Finding& finding) {
+    QString html;
     for (const Remainder& r : finding.remainders) {
         const RemainderWords words =
             remainderWords(r, [](const std::string& name) { return placeOf(QString::fromStdString(name)); });
@@ -111,32 +123,50 @@ QString reportBody(const QString& title, RunKind kind, const Finding& finding, s
     if (finding.disturbance) html += "<p>" + inWords(disturbanceWords(*finding.disturbance)).toHtmlEscaped() + "</p>";
     if (!finding.nextExperiment.empty())
         html += "<h2>" + tr("Next experiment") + "</h2><p>" + inWords(finding.nextExperiment).toHtmlEscaped() + "</p>";
-    if (!finding.candidates.empty()) {
-        html += "<h2>" + tr("What was tried") + "</h2>";
-        HtmlTable tried({tr("Effect"), tr("At"), tr("Screening"), tr("ΔBIC"), tr("Verdict")});
-        for (const CandidateResult& c : finding.candidates)
-            tried.add({text(c.kind), placeText(text(c.at), text(c.channel)), number(c.score, 3),
-                       c.deltaBic ? number(*c.deltaBic, 3) : QString(), verdictCell(c)});
-        html += tried.html();
-    }
+    return html;
+}
+
+QString triedPart(const Finding& finding) {
+    if (finding.candidates.empty()) return {};
+    HtmlTable tried({tr("Effect"), tr("At"), tr("Screening"), tr("ΔBIC"), tr("Verdict")});
+    for (const CandidateResult& c : finding.candidates)
+        tried.add({text(c.kind), placeText(text(c.at), text(c.channel)), number(c.score, 3),
+                   c.deltaBic ? number(*c.deltaBic, 3) : QString(), verdictCell(c)});
+    return "<h2>" + tr("What was tried") + "</h2>" + tried.html();
+}
+
+}  // namespace
+
+QString reportBody(const QString& title, RunKind kind, const Finding& finding, std::size_t pictures,
+                   const ReportHead& head, bool hasLogo) {
+    QString html = reportTop(title, head, hasLogo) + verdictPart(finding, kind);
+    if (head.shows(ReportSection::Errors)) html += errorsPart(finding);
+    if (head.shows(ReportSection::Remarks)) html += cautionsPart(finding);
+    for (std::size_t i = 0; i < pictures && head.shows(ReportSection::Plots); ++i)
+        html += QStringLiteral("<p><img src='picture:%1' width='640'></p>").arg(i);
+    if (head.shows(ReportSection::Parameters)) html += parametersPart(finding);
+    if (head.shows(ReportSection::Effects)) html += effectsPart(finding);
+    if (head.shows(ReportSection::Unexplained)) html += unexplainedPart(finding);
+    if (head.shows(ReportSection::Tried)) html += triedPart(finding);
     return html;
 }
 
 QString writeReportPdf(const QString& file, const QString& title, RunKind kind, const Finding& finding,
-                       const std::vector<QImage>& pictures) {
+                       const std::vector<QImage>& pictures, const ReportHead& head, const QImage& logo) {
     QBuffer bytes;
     bytes.open(QIODevice::WriteOnly);
     QPdfWriter writer(&bytes);
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageMargins(QMarginsF(18, 18, 18, 18), QPageLayout::Millimeter);
-    writer.setTitle(title);
+    writer.setTitle(head.title.empty() ? title : QString::fromStdString(head.title));
     writer.setResolution(96);
     QTextDocument document;
     for (std::size_t i = 0; i < pictures.size(); ++i)
         document.addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("picture:%1").arg(i)), pictures[i]);
     document.setDefaultStyleSheet(
         "h1 {font-size: 18pt} h2 {font-size: 12pt} body, td, th {font-size: 9pt; color: black}");
-    document.setHtml("<body>" + reportBody(title, kind, finding, pictures.size()) + "</body>");
+    document.addResource(QTextDocument::ImageResource, QUrl(logoResource), logo);
+    document.setHtml("<body>" + reportBody(title, kind, finding, pictures.size(), head, !logo.isNull()) + "</body>");
     document.setPageSize(QSizeF(writer.width(), writer.height()));
     document.print(&writer);
     if (!bytes.data().startsWith("%PDF")) return ResultPanel::tr("%1 cannot be written.").arg(file);

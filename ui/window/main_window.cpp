@@ -1,9 +1,11 @@
 #include "ui/window/main_window.hpp"
 
 #include <QActionGroup>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QLabel>
 #include <QLocale>
 #include <QMenuBar>
 #include <QScreen>
@@ -574,7 +576,8 @@ void MainWindow::updateActions() {
     whyNoRun_->setIcon(style::icon(isOpenYet ? "note" : "error"));
     whyNoRun_->setText(isOpenYet ? tr("Not connected yet: no run") : tr("Error in the model: no run"));
     whyNoRun_->setToolTip(why);
-    for (QAction* a : {saveAction_, saveAsAction_, importAction_, recordingsAction_, sensitivityAction_})
+    for (QAction* a : {saveAction_, saveAsAction_, importAction_, recordingsAction_, sensitivityAction_,
+                       reportHeadAction_, findAction_})
         a->setEnabled(document_->isOpen());
     reportAction_->setEnabled(isReady && document_->result());
     const bool isShown = document_->isOpen() && !document_->isReading();

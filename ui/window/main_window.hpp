@@ -48,6 +48,7 @@ class TextView;
 class ValuesPage;
 struct Mention;
 struct Recovered;
+struct StudyEntry;
 
 /// Puts the panels together: the diagram in the middle, what was measured to the left, parameters and results to
 /// the right, traces below. It has no state of its own beyond its layout.
@@ -113,6 +114,8 @@ private:
     void showPlace(const Place& place);
     void showFault();
     void showMention(const Mention& mention);
+    void findInStudy();
+    void showEntry(const StudyEntry& entry);
     void askForStudy(bool isDirectory);
     void save();
     void askWhereToSave();
@@ -141,6 +144,7 @@ private:
     void rememberRecent(const QString& path);
     void showRecent();
     QList<QDockWidget*> docks() const;
+    void askForReport();
     void askWhereToReport();
     void offerReport(const QString& file);
     void askWhereToExport(ExportFormat format);
@@ -194,7 +198,8 @@ private:
         *messageDock_{}, *signalDock_{}, *signalPlotDock_{};
 
     QAction *newAction_{}, *generateAction_{}, *openAction_{}, *openFileAction_{}, *saveAction_{}, *saveAsAction_{},
-        *importAction_{}, *reportAction_{}, *exportTracesAction_{}, *exportMf4Action_{}, *quitAction_{};
+        *importAction_{}, *reportAction_{}, *reportHeadAction_{}, *findAction_{}, *exportTracesAction_{},
+        *exportMf4Action_{}, *quitAction_{};
     QAction *textBesideAction_{}, *recordingsAction_{}, *sensitivityAction_{};
     QAction *undoAction_{}, *redoAction_{}, *simulateAction_{}, *practiceAction_{}, *fitAction_{}, *discoverAction_{},
         *longerAction_{}, *fitViewAction_{}, *whyNoRunAction_{};

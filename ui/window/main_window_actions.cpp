@@ -46,6 +46,11 @@ void MainWindow::createActions() {
     importAction_->setObjectName("import");
     reportAction_ = make(tr("Write report …"), "report", Qt::CTRL | Qt::Key_E,
                          tr("Write report, traces and the completed study into a directory"));
+    reportAction_->setObjectName("report");
+    reportHeadAction_ = make(tr("Head of the report …"), {}, {},
+                             tr("Title, test object, author, date, logo and sections of the reports of this study"));
+    reportHeadAction_->setObjectName("report-head-action");
+    connect(reportHeadAction_, &QAction::triggered, this, &MainWindow::askForReport);
     exportMenu_ = new QMenu(tr("Export"), this);
     exportMenu_->setToolTipsVisible(true);
     const auto addExport = [&](ExportFormat format, const char* name, const QString& text, const QString& tip) {
@@ -75,6 +80,10 @@ void MainWindow::createActions() {
     undoAction_->setObjectName("undo");
     redoAction_->setObjectName("redo");
     redoAction_->setShortcuts({Qt::CTRL | Qt::SHIFT | Qt::Key_Z, Qt::CTRL | Qt::Key_Y});
+    findAction_ = make(tr("Find in the study …"), {}, Qt::CTRL | Qt::SHIFT | Qt::Key_F,
+                       tr("Components, parameters, signals, recordings, effects that were tried, runs and texts"));
+    findAction_->setObjectName("find-in-study-action");
+    connect(findAction_, &QAction::triggered, this, &MainWindow::findInStudy);
     simulateAction_ = make(tr("Simulate"), "simulate", Qt::Key_F4,
                            tr("Simulate the model: over its recordings, and by itself where sources drive it"));
     simulateAction_->setObjectName("simulate");
@@ -119,7 +128,7 @@ void MainWindow::createActions() {
     connect(saveAction_, &QAction::triggered, this, &MainWindow::save);
     connect(saveAsAction_, &QAction::triggered, this, &MainWindow::askWhereToSave);
     connect(importAction_, &QAction::triggered, this, &MainWindow::askForMeasurement);
-    connect(reportAction_, &QAction::triggered, this, &MainWindow::askWhereToReport);
+    connect(reportAction_, &QAction::triggered, this, &MainWindow::askForReport);
     connect(quitAction_, &QAction::triggered, this, &QWidget::close);
     for (const auto& [action, kind] :
          {std::pair(simulateAction_, RunKind::Simulate), std::pair(fitAction_, RunKind::Fit),
@@ -141,12 +150,14 @@ void MainWindow::createMenus() {
     file->addSeparator();
     file->addActions({saveAction_, saveAsAction_});
     file->addSeparator();
-    file->addActions({importAction_, reportAction_});
+    file->addActions({importAction_, reportAction_, reportHeadAction_});
     file->addMenu(exportMenu_);
     file->addSeparator();
     file->addAction(quitAction_);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     edit->addActions({undoAction_, redoAction_});
+    edit->addSeparator();
+    edit->addAction(findAction_);
     edit->addSeparator();
     compose_->fill(*edit);
     QMenu* run = menuBar()->addMenu(tr("&Run"));

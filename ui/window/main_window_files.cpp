@@ -18,10 +18,13 @@
 #include <algorithm>
 
 #include "core/export/export.hpp"
+#include "core/study/report_settings.hpp"
+#include "core/study/results.hpp"
 #include "ui/canvas/diagram_view.hpp"
 #include "ui/document/document.hpp"
 #include "ui/document/mention.hpp"
 #include "ui/effect/report_pdf.hpp"
+#include "ui/effect/report_top.hpp"
 #include "ui/fit/run_controller.hpp"
 #include "ui/job/job.hpp"
 #include "ui/measurement/compare_page.hpp"
@@ -36,6 +39,7 @@
 #include "ui/style/style.hpp"
 #include "ui/window/generate_page.hpp"
 #include "ui/window/main_window.hpp"
+#include "ui/window/report_dialog.hpp"
 #include "ui/window/start_page.hpp"
 
 /// The window's dealings with files: opening, saving, importing, reporting.
@@ -288,6 +292,14 @@ void MainWindow::askWhereToSave() {
     dialog->show();
 }
 
+/// The head of the report first: what it says is on every page of it.
+void MainWindow::askForReport() {
+    if (!document_->isOpen()) return;
+    auto* dialog = new ReportDialog(*document_, reportAction_->isEnabled(), this);
+    connect(dialog, &ReportDialog::writeWanted, this, &MainWindow::askWhereToReport);
+    dialog->show();
+}
+
 void MainWindow::askWhereToReport() {
     QFileDialog* const dialog = fileDialog(this, settings_, tr("Write the report into a directory"), "report-dialog");
     dialog->setFileMode(QFileDialog::Directory);
@@ -297,16 +309,23 @@ void MainWindow::askWhereToReport() {
 
 void MainWindow::writeReport(const QString& path) {
     if (!document_->result()) return;
+    ReportHead head = reportHeadOf(document_->study().extraJson);  // of the study as it is now, not as it was then
+    if (!head.logo.empty()) {
+        const std::filesystem::path logo = std::filesystem::absolute(document_->study().directory / head.logo);
+        if (std::filesystem::exists(logo)) head.logo = logo.string();
+    }
     const auto write = [this, result = document_->sharedResult(), kind = document_->resultKind(),
-                        title = document_->title(), path](std::vector<QImage> pictures) {
+                        title = document_->title(), path, head](std::vector<QImage> pictures) {
         writer_->start<Outcome<bool>>(  // whether it is there on paper, too
             tr("Writing the report"),
-            [result, kind, title, pictures = std::move(pictures), path](const Progress&) -> Outcome<bool> {
-                const Outcome<Done> done = writeResults(*result, commandName(kind), path.toStdString());
+            [result, kind, title, pictures = std::move(pictures), path, head](const Progress&) -> Outcome<bool> {
+                Outcome<ResultsPlace> place = ResultsPlace::take(path.toStdString());
+                if (!place) return place.diagnostics();
+                const Outcome<Done> done = place->write(*result, commandName(kind), Traces::All, {}, head);
                 if (!done) return done.diagnostics();
                 Diagnostics said = done.diagnostics();
-                const QString fault =
-                    writeReportPdf(QDir(path).filePath("report.pdf"), title, kind, result->finding, pictures);
+                const QString fault = writeReportPdf(QDir(path).filePath("report.pdf"), title, kind, result->finding,
+                                                     pictures, head, logoPicture(QString::fromStdString(head.logo)));
                 if (!fault.isEmpty()) said.push_back(error(fault.toStdString()));
                 return {fault.isEmpty(), std::move(said)};
             },
