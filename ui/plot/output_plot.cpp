@@ -1,10 +1,13 @@
-#include <QHBoxLayout>
+#include <QAbstractButton>
 #include <QLabel>
+#include <QPainter>
+#include <QResizeEvent>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
+#include "ui/plot/flow_layout.hpp"
 #include "ui/plot/plot_panel.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
@@ -20,15 +23,20 @@ public:
         setFocusPolicy(Qt::TabFocus);
         setCursor(Qt::PointingHandCursor);
         setToolTip(tr("Click to hide or show this trace"));
-        // the last one may have a long name: it takes what is left, and the plot keeps its place
-        setSizePolicy(role == TraceRole::After ? QSizePolicy::Preferred : QSizePolicy::Maximum, QSizePolicy::Fixed);
+        QSizePolicy policy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+        policy.setHeightForWidth(true);
+        setSizePolicy(policy);
     }
     TraceRole role() const { return role_; }
-    QSize minimumSizeHint() const override { return wholeSize().boundedTo({least, wholeSize().height()}); }
-    QSize sizeHint() const override { return role_ == TraceRole::After ? minimumSizeHint() : wholeSize(); }
-    QSize wholeSize() const {
+    QSize minimumSizeHint() const override { return sizeHint().boundedTo({least, sizeHint().height()}); }
+    QSize sizeHint() const override {
         const QFontMetrics metrics(font());
         return {metrics.horizontalAdvance(text()) + swatch + 3 * style::unit, metrics.height() + style::unit};
+    }
+    /// A name that is longer than the row breaks, wherever it must: no word of it is lost.
+    int heightForWidth(int width) const override {
+        return fontMetrics().boundingRect(QRect(0, 0, width - swatch - style::unit, 1 << 20), flags, text()).height() +
+               style::unit;
     }
 
 protected:
@@ -39,12 +47,15 @@ protected:
         QColor ink = palette().color(QPalette::WindowText);
         if (!isChecked()) colour = ink = style::mix(ink, palette().color(QPalette::Window), 0.65);
         painter.setPen(QPen(colour, 2.4, Qt::SolidLine, Qt::RoundCap));
-        const double middle = height() / 2.0;
+        const double middle = (fontMetrics().height() + style::unit) / 2.0;  // of the first line
         painter.drawLine(QPointF(2, middle), QPointF(swatch - 2, middle));
         painter.setPen(ink);
         const QRect room = rect().adjusted(swatch + style::unit, 0, 0, 0);
-        painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft,
-                         fontMetrics().elidedText(text(), Qt::ElideMiddle, room.width()));  // the figure stands last
+        if (height() >= heightForWidth(width()))
+            painter.drawText(room, flags, text());
+        else  // no room for more rows: the figure stands last
+            painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft,
+                             fontMetrics().elidedText(text(), Qt::ElideMiddle, room.width()));
         if (hasFocus()) {
             painter.setPen(style::accent(palette()));
             painter.drawLine(swatch + style::unit, height() - 1, width() - 2 * style::unit, height() - 1);
@@ -53,6 +64,7 @@ protected:
 
 private:
     static constexpr int swatch = 18, least = 56;
+    static constexpr int flags = Qt::AlignVCenter | Qt::AlignLeft | Qt::TextWordWrap | Qt::TextWrapAnywhere;
     TraceRole role_;
 };
 
@@ -62,23 +74,25 @@ OutputPlot::OutputPlot(QWidget* parent)
       readout_(new QLabel(this)),
       values_(new TimePlot(this)),
       residual_(new TimePlot(this)) {
-    auto* heading = new QHBoxLayout;
-    heading->setContentsMargins(style::margin, style::unit, style::margin, 0);
-    heading->setSpacing(3 * style::unit);
+    head_ = new QWidget(this);
+    heading_ = new FlowLayout(head_);
+    heading_->setContentsMargins(style::margin, style::unit, style::margin, 0);
+    heading_->setSpacing(3 * style::unit);
     style::makeHeading(name_, 1.0);
-    heading->addWidget(name_);
+    heading_->addWidget(name_);
     for (const TraceRole role : {TraceRole::Measured, TraceRole::Before, TraceRole::After}) {
-        auto* entry = new LegendEntry(role, this);
+        auto* entry = new LegendEntry(role, head_);
         legend_.push_back(entry);
-        heading->addWidget(entry, role == TraceRole::After ? 1000 : 0);
+        heading_->addWidget(entry);
         connect(entry, &QAbstractButton::toggled, this, [this, role](bool isShown) {
             values_->setVisible(role, isShown);
             residual_->setVisible(role, isShown);
         });
     }
-    heading->addStretch(1);
     style::makeCaption(readout_);
-    heading->addWidget(readout_);
+    readout_->setAutoFillBackground(true);
+    readout_->setAttribute(Qt::WA_TransparentForMouseEvents);
+    readout_->hide();
 
     values_->setTimeLabels(false);
     values_->setMinimumHeight(74);  // two outputs have room one below the other
@@ -88,7 +102,8 @@ OutputPlot::OutputPlot(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addLayout(heading);
+    column->addWidget(head_);
+    fitLegend();
     column->addWidget(values_, 5);
     column->addWidget(residual_, 3);
     for (TimePlot* plot : {values_, residual_}) {
@@ -102,12 +117,28 @@ OutputPlot::OutputPlot(QWidget* parent)
 }
 
 void OutputPlot::fitInto(int height) {
-    const int whole =
-        layout()->itemAt(0)->minimumSize().height() + values_->minimumHeight() + residual_->minimumHeight();
+    room_ = height;
+    const int whole = heading_->heightOfOneRow() + values_->minimumHeight() + residual_->minimumHeight();
     const bool isWhole = height >= whole && hasValues(content_.measured);
-    if (isWhole != residual_->QWidget::isHidden()) return;
-    residual_->setHidden(!isWhole);
-    values_->setTimeLabels(!isWhole);
+    if (isWhole == residual_->QWidget::isHidden()) {
+        residual_->setHidden(!isWhole);
+        values_->setTimeLabels(!isWhole);
+    }
+    fitLegend();
+}
+
+/// As many rows as its words need, where they leave the plots their room.
+void OutputPlot::fitLegend() {
+    const int plots = values_->minimumHeight() + (residual_->QWidget::isHidden() ? 0 : residual_->minimumHeight());
+    const int rows = heading_->heightOfRows(width()), one = heading_->heightOfOneRow();
+    const bool isSingle = rows > one && rows + plots > room_;
+    heading_->setSingleRow(isSingle);
+    head_->setFixedHeight(isSingle ? one : std::max(one, rows));
+}
+
+void OutputPlot::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitLegend();
 }
 
 void OutputPlot::setLegend(TraceRole role, const QString& text) {
@@ -115,9 +146,9 @@ void OutputPlot::setLegend(TraceRole role, const QString& text) {
         if (entry->role() != role) continue;
         entry->setText(text);
         entry->setVisible(!text.isEmpty());
-        entry->setMaximumWidth(entry->wholeSize().width());
         entry->updateGeometry();
     }
+    fitLegend();
 }
 
 QString OutputPlot::legendText(TraceRole role) const {
@@ -181,9 +212,22 @@ void OutputPlot::pointAt(std::optional<double> time) {
     readOut(time);
 }
 
+/// Beside the legend where there is room, else over the top of the plot: nothing moves while the pointer does.
+void OutputPlot::showReadout(const QString& text) {
+    readout_->setVisible(!text.isEmpty());
+    if (text.isEmpty()) return;
+    readout_->setText(text);
+    readout_->adjustSize();
+    const int left = std::max(0, width() - style::margin - readout_->width());
+    const bool isBeside = left >= heading_->firstRowEnd() + 3 * style::unit;
+    readout_->move(left, isBeside ? style::unit + (name_->height() - readout_->height()) / 2 : values_->y());
+    readout_->raise();
+}
+
 /// The values at the pointer; without one, the differences between the two marks.
-void OutputPlot::readOut(std::optional<double> time) {
-    readout_->clear();
+void OutputPlot::readOut(std::optional<double> time) { showReadout(readoutText(time)); }
+
+QString OutputPlot::readoutText(std::optional<double> time) const {
     if (!time && marks_.size() == 2 && content_.time && !content_.time->empty()) {
         const auto& stamps = *content_.time;
         const auto indexOf = [&](double t) {
@@ -200,9 +244,9 @@ void OutputPlot::readOut(std::optional<double> time) {
         add(tr("measured"), content_.measured);
         add(content_.beforeLabel.section(' ', 0, 0), content_.before);
         add(content_.afterLabel.section(' ', 0, 0), content_.after);
-        return readout_->setText(text);
+        return text;
     }
-    if (!time || !content_.time || content_.time->empty()) return;
+    if (!time || !content_.time || content_.time->empty()) return {};
     const auto& stamps = *content_.time;
     const auto at = std::lower_bound(stamps.begin(), stamps.end(), *time);
     const auto i = static_cast<std::size_t>(
@@ -215,7 +259,7 @@ void OutputPlot::readOut(std::optional<double> time) {
     add(tr("measured"), content_.measured);
     add(content_.beforeLabel.section(' ', 0, 0), content_.before);
     add(content_.afterLabel.section(' ', 0, 0), content_.after);
-    readout_->setText(text);
+    return text;
 }
 
 }  // namespace analogon::ui

@@ -1,6 +1,7 @@
 #include "ui/plot/plot_panel.hpp"
 
 #include <QBuffer>
+#include <QEvent>
 #include <QFileDialog>
 #include <QLabel>
 #include <QPainter>

@@ -27,6 +27,7 @@ enum class Role;
 namespace analogon::ui {
 
 class Document;
+class FlowLayout;
 class ResidualPlot;
 
 /// One output: a heading that is also the legend, values, residual.
@@ -69,13 +70,22 @@ Q_SIGNALS:
     void pointedAt(double time);
     void pointerLeft();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void readOut(std::optional<double> time);
+    QString readoutText(std::optional<double> time) const;
+    void showReadout(const QString& text);
+    void fitLegend();
     void setLegend(TraceRole role, const QString& text);
     Content content_;
     QLabel* name_;
     QLabel* readout_;
     std::vector<double> marks_;
+    QWidget* head_{};
+    FlowLayout* heading_{};
+    int room_{1 << 20};  // [px] of what it is shown in
     class LegendEntry;
     std::vector<LegendEntry*> legend_;
     TimePlot* values_;
