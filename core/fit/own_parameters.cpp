@@ -2,21 +2,9 @@
 
 #include <algorithm>
 
-#include "core/fit/clock.hpp"
+#include "core/fit/held_value.hpp"
 
 namespace analogon {
-namespace {
-
-/// Writes a value that is not fitted into an experiment: a parameter of its system, or the clock of an output.
-void hold(FitExperiment& experiment, const std::string& name, double value) {
-    if (const int index = experiment.system->parameterIndex(name); index >= 0)
-        experiment.parameters[static_cast<std::size_t>(index)] = value;
-    for (ChannelClock& clock : experiment.clocks)
-        if (clockOf(experiment.system->outputs()[static_cast<std::size_t>(clock.output)].name) == name)
-            clock.offset = value;
-}
-
-}  // namespace
 
 bool hasOwnParameters(const FitProblem& problem, int experiment) {
     return std::any_of(problem.parameters.begin(), problem.parameters.end(),

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/base/parallel.hpp"
-#include "core/fit/clock.hpp"
 #include "core/fit/coordinates.hpp"
+#include "core/fit/held_value.hpp"
 
 namespace analogon {
 
@@ -28,12 +28,7 @@ FitProblem held(const FitProblem& problem, int parameter, double value, const Ei
     }
     for (std::size_t e = 0; e < rest.experiments.size(); ++e) {
         if (p.experiment >= 0 && p.experiment != static_cast<int>(e)) continue;
-        FitExperiment& experiment = rest.experiments[e];
-        for (ChannelClock& clock : experiment.clocks)
-            if (clockOf(experiment.system->outputs()[static_cast<std::size_t>(clock.output)].name) == p.name)
-                clock.offset = value;
-        const int index = experiment.system->parameterIndex(p.name);
-        if (index >= 0) experiment.parameters[static_cast<std::size_t>(index)] = value;
+        hold(rest.experiments[e], p.name, value);
     }
     return rest;
 }

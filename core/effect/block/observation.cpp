@@ -182,6 +182,16 @@ ShapeContext contextOf(const NullModel& null, const Observations& observations) 
     return context;
 }
 
+Outcome<std::map<std::string, double>> fixedOf(const EffectClass& effect, const ShapeContext& context) {
+    std::map<std::string, double> fixed;
+    for (const auto& [name, text] : effect.fixed) {
+        const Outcome<double> value = shapeValue(text, context);
+        if (!value) return value.diagnostics();
+        fixed[name] = *value;
+    }
+    return fixed;
+}
+
 Outcome<std::vector<std::map<std::string, double>>> shapesOf(const EffectClass& effect, const ShapeContext& anyStrength,
                                                              double strength) {
     ShapeContext context = anyStrength;

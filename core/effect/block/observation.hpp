@@ -57,6 +57,9 @@ Outcome<std::vector<Observations>> observeNewest(const NullModel& null, const Va
 /// By which the texts of an effect's shapes are evaluated. `observations` must outlive it.
 ShapeContext contextOf(const NullModel& null, const Observations& observations);
 
+/// The values that the recording gives the fixed parameters of an effect.
+Outcome<std::map<std::string, double>> fixedOf(const EffectClass& effect, const ShapeContext& context);
+
 /// All combinations of the shape values that go with a strength, which they may name.
 Outcome<std::vector<std::map<std::string, double>>> shapesOf(const EffectClass& effect, const ShapeContext& anyStrength,
                                                              double strength);

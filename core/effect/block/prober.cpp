@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/effect/block/probe_score.hpp"
+#include "core/fit/held_value.hpp"
 
 namespace analogon {
 namespace {
@@ -13,13 +14,19 @@ constexpr int mostStepsOfAWave = 16;  // in a sample interval: what is faster av
 
 }  // namespace
 
+void TracedParameters::add(const PlacedEffect& placed) {
+    const EffectClass& effect = placed.effect;
+    const auto own = [&](const std::string& name) { return placed.instance + "." + name; };
+    free.emplace_back().name = own(effect.strength);
+    for (const std::string& name : effect.linear) free.emplace_back().name = own(name);
+    for (const auto& [name, values] : effect.shape) kept.push_back(own(name));
+    if (!effect.phase.empty()) kept.push_back(own(effect.phase));
+}
+
 Outcome<Done> Prober::compile() {
-    std::vector<FitParameter> free{named(placed_.effect.strength)};
-    for (const std::string& l : placed_.effect.linear) free.push_back(named(l));
-    std::vector<std::string> kept;
-    for (const auto& [name, values] : placed_.effect.shape) kept.push_back(placed_.instance + "." + name);
-    if (!placed_.effect.phase.empty()) kept.push_back(placed_.instance + "." + placed_.effect.phase);
-    Outcome<PreparedTask> held = prepareHeld(wired_, free, null_.noise, kept);
+    TracedParameters parameters;
+    parameters.add(placed_);
+    Outcome<PreparedTask> held = prepareHeld(wired_, parameters.free, null_.noise, parameters.kept);
     if (!held) return held.diagnostics();
     held_ = std::move(*held);
     // a linear model's recurrence does not serve what makes it another; slopes all go along the same course
@@ -35,7 +42,7 @@ Outcome<Done> Prober::compile() {
 }
 
 bool Prober::take(const std::map<std::string, double>& shape, double secant, Probe& probe) {
-    for (const auto& [name, value] : shape) set(placed_.instance + "." + name, value);
+    for (const auto& [name, value] : shape) setParameter(held_.problem, placed_.instance + "." + name, value);
     probe.values = shape;
     probe.secant = secant;
     if (!placed_.effect.phase.empty()) return takeWave(shape, probe);
@@ -48,18 +55,6 @@ bool Prober::take(const std::map<std::string, double>& shape, double secant, Pro
 
 int Prober::addedStates() const {
     return held_.system->stateCount() - static_cast<int>(null_.steps(simulation_, progress_).states.size());
-}
-
-FitParameter Prober::named(const std::string& parameter) const {
-    FitParameter p;
-    p.name = placed_.instance + "." + parameter;
-    return p;
-}
-
-void Prober::set(const std::string& parameter, double value) {
-    const int index = held_.system->parameterIndex(parameter);
-    if (index < 0) return;
-    for (FitExperiment& e : held_.problem.experiments) e.parameters[static_cast<std::size_t>(index)] = value;
 }
 
 Eigen::VectorXd Prober::off() const {
@@ -102,7 +97,7 @@ bool Prober::takeWave(const std::map<std::string, double>& shape, Probe& probe) 
     const std::vector<GridPlan> plans = plansFor(waves == shape.end() ? 1 : waves->second);
     Eigen::MatrixXd both(null_.fit.optimum.residuals.size(), 2);
     for (const int quarter : {0, 1}) {
-        set(placed_.instance + "." + effect.phase, quarter * quarterTurn);
+        setParameter(held_.problem, placed_.instance + "." + effect.phase, quarter * quarterTurn);
         const std::optional<Eigen::MatrixXd> columns = traces(0, plans);
         if (!columns) return false;
         both.col(quarter) = columns->col(0);

@@ -11,6 +11,15 @@ namespace analogon {
 
 constexpr double quarterTurn = 1.5707963267948966;  // [rad]
 
+/// The parameters of effects whose traces are taken: along the free ones, with any values of those that are kept.
+struct TracedParameters {
+    std::vector<FitParameter> free;
+    std::vector<std::string> kept;
+
+    /// The strength first, then those that are linear beside it; its shapes are kept.
+    void add(const PlacedEffect& placed);
+};
+
 /// Takes the traces of one wired candidate: the outputs' slopes, or secants, along its strength.
 class Prober {
 public:
@@ -33,10 +42,6 @@ public:
     int addedStates() const;
 
 private:
-    FitParameter named(const std::string& parameter) const;
-
-    void set(const std::string& parameter, double value);
-
     Eigen::VectorXd off() const;
 
     /// Traces of the strength and of the further linear parameters, in units of the noise.

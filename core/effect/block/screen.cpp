@@ -145,11 +145,9 @@ private:
         if (!observed) return observed.diagnostics();
         observations_ = std::move(*observed);
         context_ = contextOf(null_, observations_);
-        for (const auto& [name, text] : effect_.fixed) {
-            const Outcome<double> value = shapeValue(text, context_);
-            if (!value) return value.diagnostics();
-            result_.fixed[name] = *value;
-        }
+        Outcome<std::map<std::string, double>> fixed = fixedOf(effect_, context_);
+        if (!fixed) return fixed.diagnostics();
+        result_.fixed = std::move(*fixed);
         Outcome<Variant> wired = result_.fixed.empty() ? std::move(off) : wiredIn(null_, result_);
         if (!wired) return wired.diagnostics();
         wired_ = std::move(*wired);

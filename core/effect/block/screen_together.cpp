@@ -4,6 +4,8 @@
 
 #include "core/effect/block/observation.hpp"
 #include "core/effect/block/probe_score.hpp"
+#include "core/effect/block/prober.hpp"
+#include "core/fit/held_value.hpp"
 
 namespace analogon {
 namespace {
@@ -69,19 +71,16 @@ private:
         Outcome<Variant> off = withEffectsBeside(null_.variant, effects, places);
         if (!off) return false;
         off_ = std::move(*off);
-        std::vector<FitParameter> free;
-        std::vector<std::string> kept;
-        const auto freeToo = [&](const std::string& name) { free.emplace_back().name = name; };
+        TracedParameters parameters;
         for (std::size_t i = 0; i < members_.size(); ++i) {
+            const PlacedEffect& placed = off_.effects[off_.effects.size() - members_.size() + i];
             Member& m = members_[i];
-            m.instance = off_.effects[off_.effects.size() - members_.size() + i].instance;
-            m.column = static_cast<Eigen::Index>(free.size());
-            freeToo(m.instance + "." + m.effect().strength);
-            for (const std::string& l : m.effect().linear) freeToo(m.instance + "." + l);
-            for (const auto& [name, values] : m.effect().shape) kept.push_back(m.instance + "." + name);
-            for (const auto& [name, value] : m.effect().fixed) kept.push_back(m.instance + "." + name);
+            m.instance = placed.instance;
+            m.column = static_cast<Eigen::Index>(parameters.free.size());
+            parameters.add(placed);
+            for (const auto& [name, value] : m.effect().fixed) parameters.kept.push_back(m.instance + "." + name);
         }
-        Outcome<PreparedTask> held = prepareHeld(off_, free, null_.noise, kept);
+        Outcome<PreparedTask> held = prepareHeld(off_, parameters.free, null_.noise, parameters.kept);
         if (!held) return false;
         held_ = std::move(*held);
         plans_ = null_.plansOf(*held_.system, simulation_, progress_);
@@ -99,12 +98,11 @@ private:
     }
 
     Outcome<Done> shape(Member& member, const ShapeContext& context) {
-        for (const auto& [name, text] : member.effect().fixed) {
-            const Outcome<double> value = shapeValue(text, context);
-            if (!value) return value.diagnostics();
-            member.screened.fixed[name] = *value;
-            set(member.instance + "." + name, *value);
-        }
+        Outcome<std::map<std::string, double>> fixed = fixedOf(member.effect(), context);
+        if (!fixed) return fixed.diagnostics();
+        member.screened.fixed = std::move(*fixed);
+        for (const auto& [name, value] : member.screened.fixed)
+            setParameter(held_.problem, member.instance + "." + name, value);
         Outcome<std::vector<std::map<std::string, double>>> shapes = shapesOf(member.effect(), context, 0);
         if (!shapes) return shapes.diagnostics();
         member.shapes = std::move(*shapes);
@@ -115,7 +113,8 @@ private:
     bool take(std::size_t k) {
         for (const Member& m : members_)
             if (k < m.shapes.size())
-                for (const auto& [name, value] : m.shapes[k]) set(m.instance + "." + name, value);
+                for (const auto& [name, value] : m.shapes[k])
+                    setParameter(held_.problem, m.instance + "." + name, value);
         const Eigen::VectorXd off = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(held_.problem.parameters.size()));
         const Linearisation l = linearise(held_.problem, off, true, plans_, simulation_, progress_);
         if (!l.ok || l.residuals.size() != null_.fit.optimum.residuals.size()) return false;
@@ -131,12 +130,6 @@ private:
             m.screened.probes.push_back(std::move(probe));
         }
         return true;
-    }
-
-    void set(const std::string& parameter, double value) {
-        const int index = held_.system->parameterIndex(parameter);
-        if (index < 0) return;
-        for (FitExperiment& e : held_.problem.experiments) e.parameters[static_cast<std::size_t>(index)] = value;
     }
 
     const NullModel& null_;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/effect/thresholds.hpp"
+#include "core/fit/held_value.hpp"
 
 namespace analogon {
 
@@ -220,9 +221,7 @@ void follow(TrialStart& start, FitProblem held, const FitOptions& options, const
     const PlacedEffect& placed = start.variant.effects.back();
     std::vector<FitParameter>& parameters = start.prepared.problem.parameters;
     for (const FitParameter& p : parameters)
-        for (FitExperiment& e : held.experiments)
-            if (const int index = e.system->parameterIndex(p.name); isWhole(placed, p) && index >= 0)
-                e.parameters[static_cast<std::size_t>(index)] = p.start;
+        if (isWhole(placed, p)) setParameter(held, p.name, p.start);
     std::erase_if(held.parameters, [&](const FitParameter& p) { return isWhole(placed, p); });
     for (FitParameter& own : held.parameters)
         for (const FitParameter& p : parameters)

@@ -9,6 +9,7 @@
 #include "core/base/unit.hpp"
 #include "core/diagram/edit.hpp"
 #include "core/fit/clock.hpp"
+#include "core/fit/held_value.hpp"
 #include "core/flat/flat_model.hpp"
 #include "core/syntax/printer.hpp"
 
@@ -212,9 +213,7 @@ Outcome<PreparedTask> prepareHeld(const Variant& variant, const std::vector<FitP
     if (!prepared) return prepared;
     prepared->problem.knownPlans = variant.plans;
     for (const ParameterValue& v : variant.values) {
-        const int index = prepared->system->parameterIndex(v.name);
-        if (v.experiment >= 0 || index < 0) continue;
-        for (FitExperiment& e : prepared->problem.experiments) e.parameters[static_cast<std::size_t>(index)] = v.value;
+        if (v.experiment < 0) setParameter(prepared->problem, v.name, v.value);
     }
     return prepared;
 }
