@@ -8,6 +8,7 @@
 #include "ui/effect/finding_words.hpp"
 #include "ui/signals/signal_list.hpp"
 #include "ui/style/number.hpp"
+#include "ui/style/sought_words.hpp"
 #include "ui/words/words.hpp"
 
 namespace analogon::ui {
@@ -146,18 +147,17 @@ std::vector<StudyEntry> studyEntries(const Document& document) {
 }
 
 std::vector<int> matchingEntries(const std::vector<StudyEntry>& entries, const QString& query) {
-    const QStringList asked = query.toLower().split(' ', Qt::SkipEmptyParts);
+    const style::SoughtWords asked(query);
     std::vector<int> found;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const StudyEntry& entry = entries[i];
         if (asked.isEmpty() && entry.kind == Kind::Text) continue;
-        if (std::all_of(asked.begin(), asked.end(), [&](const QString& word) { return entry.words.contains(word); }))
-            found.push_back(static_cast<int>(i));
+        if (asked.areIn(entry.words)) found.push_back(static_cast<int>(i));
     }
     if (asked.isEmpty()) return found;
     const auto rank = [&](int i) {
         const StudyEntry& entry = entries[static_cast<std::size_t>(i)];
-        return std::pair(entry.kind, entry.words.startsWith(asked.front()) ? 0 : 1);
+        return std::pair(entry.kind, entry.words.startsWith(asked.first()) ? 0 : 1);
     };
     std::stable_sort(found.begin(), found.end(), [&](int a, int b) { return rank(a) < rank(b); });
     return found;

@@ -27,6 +27,7 @@
 #include "ui/fit/stop_field.hpp"
 #include "ui/style/find_key.hpp"
 #include "ui/style/number.hpp"
+#include "ui/style/sought_words.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
@@ -271,12 +272,11 @@ void FitPanel::refresh() {
 
 /// Leaves the runs that hold each word in their name, note, effect or time.
 void FitPanel::filter() {
-    const QStringList words = filter_->text().toLower().split(' ', Qt::SkipEmptyParts);
+    const style::SoughtWords sought(filter_->text());
     for (int row = 0; row < history_->topLevelItemCount(); ++row) {
         QTreeWidgetItem* const item = history_->topLevelItem(row);
         const QString said = (item->text(0) + '\n' + item->toolTip(0) + '\n' + item->text(1)).toLower();
-        const bool isFound =
-            std::all_of(words.begin(), words.end(), [&](const QString& word) { return said.contains(word); });
+        const bool isFound = sought.areIn(said);
         item->setHidden(!isFound);
         if (!isFound) item->setSelected(false);
     }

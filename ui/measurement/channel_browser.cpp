@@ -14,6 +14,7 @@
 #include "ui/measurement/channel_sketch.hpp"
 #include "ui/style/find_key.hpp"
 #include "ui/style/number.hpp"
+#include "ui/style/sought_words.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
@@ -148,15 +149,13 @@ void ChannelBrowser::fill() {
 }
 
 void ChannelBrowser::filter(const QString& words) {
-    const QStringList wanted = words.toLower().split(' ', Qt::SkipEmptyParts);
+    const style::SoughtWords sought(words);
     tree_->setUpdatesEnabled(false);
     for (int g = 0; g < tree_->topLevelItemCount(); ++g) {
         QTreeWidgetItem* const top = tree_->topLevelItem(g);
-        bool isAny = wanted.isEmpty();
+        bool isAny = sought.isEmpty();
         for (int c = 0; c < top->childCount(); ++c) {
-            const QString text = top->child(c)->data(Name, searchRole).toString();
-            const bool fits =
-                std::all_of(wanted.begin(), wanted.end(), [&](const QString& w) { return text.contains(w); });
+            const bool fits = sought.areIn(top->child(c)->data(Name, searchRole).toString());
             if (top->child(c)->isHidden() == fits) top->child(c)->setHidden(!fits);
             isAny = isAny || fits;
         }

@@ -11,6 +11,7 @@
 
 #include "core/study/recorded.hpp"
 #include "ui/document/document.hpp"
+#include "ui/style/sought_words.hpp"
 #include "ui/words/words.hpp"
 
 namespace analogon::ui {
@@ -130,10 +131,9 @@ std::vector<Signal> allSignals(const Document& document, const std::vector<QStri
 
 std::vector<int> matching(const std::vector<Signal>& all, const QString& query) {
     std::vector<int> found;
-    const QStringList words = query.toLower().split(' ', Qt::SkipEmptyParts);
+    const style::SoughtWords sought(query);
     for (std::size_t i = 0; i < all.size(); ++i)
-        if (std::all_of(words.begin(), words.end(), [&](const QString& word) { return all[i].words.contains(word); }))
-            found.push_back(static_cast<int>(i));
+        if (sought.areIn(all[i].words)) found.push_back(static_cast<int>(i));
     return found;
 }
 
