@@ -200,5 +200,29 @@ TEST(NoiseThreshold, GrowsWithTheNumberOfUnlikeCandidates) {
     EXPECT_GT(noiseThreshold(unlike, 0, 0.99, 1), one + 4);
 }
 
+/// Twenty candidates that share seven tenths of what they do: the quantile of the largest square, drawn directly.
+TEST(NoiseThreshold, CountsWhatAlikeCandidatesDoNotShare) {
+    constexpr int count = 20, draws = 20000;
+    const double shared = std::sqrt(0.7), own = std::sqrt(0.3);
+    std::vector<SharedColumns> alike;
+    for (int k = 0; k < count; ++k) {
+        Eigen::VectorXd column = Eigen::VectorXd::Zero(count + 1);
+        column[0] = shared;
+        column[1 + k] = own;
+        alike.push_back(Eigen::MatrixXd(column));
+    }
+    std::mt19937 random(7);
+    std::normal_distribution<double> normal;
+    std::vector<double> largest;
+    for (int i = 0; i < draws; ++i) {
+        const double common = shared * normal(random);
+        double most = 0;
+        for (int k = 0; k < count; ++k) most = std::max(most, std::pow(common + own * normal(random), 2));
+        largest.push_back(most);
+    }
+    std::sort(largest.begin(), largest.end());
+    EXPECT_NEAR(noiseThreshold(alike, 0, 0.99, 1), largest[static_cast<std::size_t>(0.99 * draws)], 0.8);
+}
+
 }  // namespace
 }  // namespace analogon
