@@ -1,5 +1,6 @@
 #include <QAction>
 #include <QComboBox>
+#include <QGraphicsItem>
 #include <QLabel>
 #include <QPushButton>
 #include <QTabWidget>
@@ -56,6 +57,24 @@ TEST_F(SensitivityPages, ShowTheMatrixAndOneCurveAParameterAndFollowTheStudy) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return page()->matrix()->rowCount() == count - 1; }, 20000));
     run(RunKind::Fit);
     EXPECT_TRUE(QTest::qWaitFor([&] { return page()->caption()->text().startsWith("At the fitted values."); }, 20000));
+}
+
+/// A legend that takes more rows leaves less height: the axes follow, and their figures stay in sight.
+TEST_F(SensitivityPages, KeepTheFiguresOfTheAxesInSightUnderALongLegend) {
+    openPage();
+    window.resize(1024, 700);
+    QTest::qWait(100);
+    auto* legend = page()->legend();
+    const QString text = legend->text();
+    const int before = page()->chart()->height();
+    for (int times = 2; times < 5; ++times) {
+        legend->setText(QStringList(times, text).join(" &nbsp; "));
+        QTest::qWait(100);
+        const SignalChart& chart = *page()->chart();
+        for (const QGraphicsItem* item : chart.scene()->items())
+            EXPECT_TRUE(!item->isVisible() || item->sceneBoundingRect().bottom() <= chart.height()) << item->type();
+    }
+    EXPECT_LT(page()->chart()->height(), before);
 }
 
 TEST_F(SensitivityPages, LeadToAParameterByEnterAndCloseByAButton) {

@@ -56,6 +56,8 @@ TEST(SignalStrip, LosesNoWordOfALegendThatIsLongerThanThePlotIsWide) {
         EXPECT_GE(legend.heightForWidth(narrow), static_cast<int>(document.size().height())) << name;
         EXPECT_EQ(QTextDocumentFragment::fromHtml(html).toPlainText().remove(QChar(0x200B)), name);
     }
+    EXPECT_EQ(breakable("heater.alpha", 12), "heater.alpha") << "where there is room for it";
+    EXPECT_TRUE(breakable("heater.alpha", 11).contains(QChar(0x200B)));
     EXPECT_EQ(breakable("a<b"), QString("a&lt;") + QChar(0x200B) + "b");
 }
 

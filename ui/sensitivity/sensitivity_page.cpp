@@ -23,6 +23,8 @@ namespace {
 
 constexpr double strong = 0.95;  // from which on two estimates go so much together that it is worth a look
 
+constexpr int mostWhole = 24;  // letters of a name that the narrowest page has room for beside its figure
+
 /// The more two go together, the stronger the colour: one for either sign.
 QColor ground(double correlation, const QPalette& palette) {
     const QColor base = palette.color(QPalette::Base);
@@ -202,7 +204,7 @@ void SensitivityPage::draw() {
             const double rms =
                 std::sqrt(values->squaredNorm() / std::max<double>(1, static_cast<double>(values->size())));
             legend << QStringLiteral("<span style='color:%1'>▬</span>&nbsp;%2&nbsp;<span style='color:%3'>%4</span>")
-                          .arg(colour.name(), breakable(name), style::mutedText(palette()).name(),
+                          .arg(colour.name(), breakable(name, mostWhole), style::mutedText(palette()).name(),
                                tr("rms %1").arg(style::numberText(rms, 3)).replace(u' ', QChar::Nbsp));
         }
         if (!output.time.empty()) chart_->setTimeRange(output.time.front(), output.time.back());

@@ -27,6 +27,7 @@ public:
 
     QTableWidget* matrix() const { return matrix_; }
     SignalChart* chart() const { return chart_; }
+    QLabel* legend() const { return legend_; }
     QComboBox* traceBox() const { return trace_; }
     QComboBox* measureBox() const { return measure_; }
     QPushButton* closeButton() const { return close_; }

@@ -2,7 +2,8 @@
 
 namespace analogon::ui {
 
-QString breakable(const QString& name) {
+QString breakable(const QString& name, int whole) {
+    if (name.size() <= whole) return name.toHtmlEscaped();
     constexpr int longest = 12;  // letters between two places to break: as many as the narrowest legend has room for
     QString html;
     int letters = 0;

@@ -1,5 +1,6 @@
 #include "ui/signals/signal_chart.hpp"
 
+#include <QGraphicsLayout>
 #include <QLineSeries>
 #include <QMouseEvent>
 #include <QPainter>
@@ -230,6 +231,9 @@ void SignalChart::feed() {
 void SignalChart::resizeEvent(QResizeEvent* event) {
     QChartView::resizeEvent(event);
     chart()->setPlotArea(area());
+    // else the axes stay as high as they were where this is not the only size of one pass of the window's layout
+    chart()->layout()->invalidate();
+    chart()->layout()->activate();
     feed();
 }
 

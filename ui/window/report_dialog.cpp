@@ -123,6 +123,7 @@ QLayout* ReportDialog::fields() {
     connect(browse, &QToolButton::clicked, this, &ReportDialog::askForLogo);
     const auto with = [](QLineEdit* field, QToolButton* button) {
         auto* row = new QHBoxLayout;
+        row->setSpacing(2 * style::unit);
         row->addWidget(field, 1);
         row->addWidget(button);
         return row;
