@@ -104,6 +104,20 @@ void AnnotationFolds::update() {
     apply();
 }
 
+QTextCursor AnnotationFolds::cursorAt(int position) const {
+    QTextCursor cursor(text_.document());
+    cursor.setPosition(position);
+    return cursor;
+}
+
+/// A caret within a fold would be where nothing is seen.
+void AnnotationFolds::takeCaretOut() {
+    const int caret = text_.textCursor().position();
+    for (const Fold& fold : folds_)
+        if (fold.isFolded && caret >= fold.range.begin && caret <= fold.range.end)
+            text_.setTextCursor(cursorAt(std::max(0, fold.range.begin - 1)));
+}
+
 void AnnotationFolds::toggle(const QTextBlock& line) {
     const bool isOpening = lineAt(line) == Line::Folded;
     for (Fold& fold : folds_) {
@@ -111,32 +125,20 @@ void AnnotationFolds::toggle(const QTextBlock& line) {
         fold.isFolded = !isOpening;
         forget(opened_, fold.range.begin);
         forget(closed_, fold.range.begin);
-        QTextCursor at(text_.document());
-        at.setPosition(fold.range.begin);
-        (isOpening ? opened_ : closed_).push_back(at);
-        if (const int caret = text_.textCursor().position();  // it would be where nothing is seen
-            fold.isFolded && caret >= fold.range.begin && caret <= fold.range.end) {
-            QTextCursor behind(text_.document());
-            behind.setPosition(std::max(0, fold.range.begin - 1));
-            text_.setTextCursor(behind);
-        }
+        (isOpening ? opened_ : closed_).push_back(cursorAt(fold.range.begin));
     }
+    takeCaretOut();
     apply();
 }
 
 void AnnotationFolds::setAllFolded(bool areFolded) {
     opened_.clear();
     closed_.clear();
-    QTextCursor caret = text_.textCursor();
     for (Fold& fold : folds_) {
         fold.isFolded = areFolded;
-        QTextCursor at(text_.document());
-        at.setPosition(fold.range.begin);
-        (areFolded ? closed_ : opened_).push_back(at);
-        if (areFolded && caret.position() >= fold.range.begin && caret.position() <= fold.range.end)
-            caret.setPosition(std::max(0, fold.range.begin - 1));
+        (areFolded ? closed_ : opened_).push_back(cursorAt(fold.range.begin));
     }
-    if (caret.position() != text_.textCursor().position()) text_.setTextCursor(caret);
+    takeCaretOut();
     apply();
 }
 
@@ -147,9 +149,7 @@ void AnnotationFolds::reveal(int position) {
     if (about == folds_.end()) return;
     about->isFolded = false;
     forget(closed_, about->range.begin);
-    QTextCursor at(text_.document());
-    at.setPosition(about->range.begin);
-    opened_.push_back(at);
+    opened_.push_back(cursorAt(about->range.begin));
     apply();
 }
 

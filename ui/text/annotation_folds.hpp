@@ -56,6 +56,8 @@ private:
         bool isFolded{};
     };
     void apply();
+    QTextCursor cursorAt(int position) const;
+    void takeCaretOut();
     std::vector<Fold>::const_iterator firstOf(const QTextBlock& block) const;
 
     QPlainTextEdit& text_;
