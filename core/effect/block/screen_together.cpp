@@ -13,12 +13,17 @@ namespace {
 /// More in one model leave less for other threads, and gain little.
 constexpr std::size_t mostTogether = 32;
 
-bool isSlopeAtNodes(const Candidate& candidate) {
+/// Fewer are not worth a model of their own where one of them is in the way of the others.
+constexpr std::size_t fewest = 3;
+
+/// Whether a candidate stands in a component or at its connectors, switched off by its strength alone.
+bool isOfTheModel(const Candidate& candidate) {
     const EffectClass& effect = candidate.effect;
-    const bool isJoined = effect.way == Way::Attach || effect.way == Way::Bridge;
     const bool isDriven = !candidate.place.spare.empty() && !candidate.place.spare.starts_with(inputPrefix);
-    return isJoined && !isDriven && effect.signalSide.empty() && effect.secant.empty() && effect.along.empty() &&
-           effect.phase.empty() && effect.states <= 0;
+    const bool isAlone =
+        effect.way == Way::Specialise && !(candidate.place.node.empty() && candidate.place.spare.empty());
+    return !isDriven && !isAlone && effect.signalSide.empty() && effect.along.empty() && effect.phase.empty() &&
+           effect.states <= 0 && (effect.secant.empty() || effect.linear.empty());
 }
 
 /// Candidates of one class on the way through their traces, in one model.
@@ -34,15 +39,35 @@ public:
     bool run() {
         if (!prepare() || !observe()) return false;
         std::size_t most = 0;
-        for (const Member& m : members_) most = std::max(most, m.shapes.size());
+        for (const Member& m : members_) most = std::max(most, m.slopes.size());
         for (std::size_t k = 0; k < most; ++k)
-            if (progress_.stopRequested() || !take(k)) return false;
+            if (progress_.stopRequested() || !takeSlopes(k)) return false;
         for (Member& m : members_) {
+            if (progress_.stopRequested()) return false;
+            if (!m.secants.empty()) takeSecants(m);
             if (!m.screened.failure.empty()) continue;
             if (m.screened.probes.empty()) return false;
             keepBest(null_, m.screened);
         }
         return true;
+    }
+
+    /// Where it does not: the members of models that may, by their indices. One: all by themselves.
+    std::vector<std::vector<std::size_t>> parts() const {
+        std::vector<std::vector<std::size_t>> parts;
+        std::vector<std::size_t> others;
+        for (std::size_t i = 0; i < members_.size(); ++i)
+            if (members_[i].hasOwnStates)
+                parts.push_back({i});
+            else
+                others.push_back(i);
+        // a connection that an effect opens gives a state to what was joined by it
+        const bool isInHalves = parts.empty() && hasOtherStates_ && members_.size() > fewest;
+        const auto half = others.begin() + static_cast<std::ptrdiff_t>(isInHalves ? others.size() / 2 : 0);
+        if (parts.empty() && !isInHalves) return {};
+        if (isInHalves) parts.emplace_back(others.begin(), half);
+        if (half != others.end()) parts.emplace_back(half, others.end());
+        return parts;
     }
 
     std::vector<Screened> result() && {
@@ -56,7 +81,13 @@ private:
         Screened screened;
         std::string instance;
         Eigen::Index column{};  // of its strength among the parameters; those that are linear beside it follow
-        std::vector<std::map<std::string, double>> shapes;
+        std::vector<std::map<std::string, double>> slopes;  // shapes to be tried at strength 0
+        struct Secant {
+            double strength{};
+            std::map<std::string, double> shape;
+        };
+        std::vector<Secant> secants;  // in place of slopes
+        bool hasOwnStates{};
 
         const EffectClass& effect() const { return screened.candidate.effect; }
     };
@@ -84,7 +115,19 @@ private:
         if (!held) return false;
         held_ = std::move(*held);
         plans_ = null_.plansOf(*held_.system, simulation_, progress_);
-        return held_.system->stateCount() == static_cast<int>(null_.steps(simulation_, progress_).states.size());
+        held_.problem.knownPlans = null_.steps(simulation_, progress_).coarse;
+        return hasStatesOfTheModel();
+    }
+
+    bool hasStatesOfTheModel() {
+        const std::size_t count = null_.steps(simulation_, progress_).states.size();
+        const std::vector<SignalInfo>& states = held_.system->states();
+        hasOtherStates_ = states.size() != count;
+        if (!hasOtherStates_) return true;
+        for (Member& m : members_)
+            m.hasOwnStates = std::any_of(states.begin(), states.end(),
+                                         [&](const SignalInfo& s) { return s.name.starts_with(m.instance + "."); });
+        return false;
     }
 
     /// What the recording tells of each: the values that are kept, and the shapes to be tried.
@@ -103,33 +146,77 @@ private:
         member.screened.fixed = std::move(*fixed);
         for (const auto& [name, value] : member.screened.fixed)
             setParameter(held_.problem, member.instance + "." + name, value);
-        Outcome<std::vector<std::map<std::string, double>>> shapes = shapesOf(member.effect(), context, 0);
-        if (!shapes) return shapes.diagnostics();
-        member.shapes = std::move(*shapes);
+        std::vector<double> strengths;
+        for (const std::string& text : member.effect().secant) {
+            const Outcome<double> strength = shapeValue(text, context);
+            if (!strength) return strength.diagnostics();
+            if (*strength != 0) strengths.push_back(*strength);
+        }
+        if (strengths.empty()) strengths.push_back(0);
+        for (const double strength : strengths) {
+            Outcome<std::vector<std::map<std::string, double>>> shapes = shapesOf(member.effect(), context, strength);
+            if (!shapes) return shapes.diagnostics();
+            for (std::map<std::string, double>& each : *shapes)
+                if (strength == 0)
+                    member.slopes.push_back(std::move(each));
+                else
+                    member.secants.push_back({strength, std::move(each)});
+        }
         return Done{};
     }
 
+    void setShape(const Member& member, const std::map<std::string, double>& shape) {
+        for (const auto& [name, value] : shape) setParameter(held_.problem, member.instance + "." + name, value);
+    }
+
+    /// All strengths, and what is linear beside them, at zero.
+    Eigen::VectorXd off() const {
+        return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(held_.problem.parameters.size()));
+    }
+
+    bool isWhole(const Linearisation& l) const {
+        return l.ok && l.residuals.size() == null_.fit.optimum.residuals.size();
+    }
+
+    void keep(Member& member, Probe probe, const Eigen::MatrixXd& columns) const {
+        if (!columns.allFinite()) return;
+        probe.column = Eigen::MatrixXd(columns.col(0));
+        scoreProbe(null_, member.effect().oneSided, columns, probe);
+        member.screened.probes.push_back(std::move(probe));
+    }
+
     /// The traces of the k-th shape of each.
-    bool take(std::size_t k) {
+    bool takeSlopes(std::size_t k) {
         for (const Member& m : members_)
-            if (k < m.shapes.size())
-                for (const auto& [name, value] : m.shapes[k])
-                    setParameter(held_.problem, m.instance + "." + name, value);
-        const Eigen::VectorXd off = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(held_.problem.parameters.size()));
-        const Linearisation l = linearise(held_.problem, off, true, plans_, simulation_, progress_);
-        if (!l.ok || l.residuals.size() != null_.fit.optimum.residuals.size()) return false;
+            if (k < m.slopes.size()) setShape(m, m.slopes[k]);
+        const Linearisation l = linearise(held_.problem, off(), true, plans_, simulation_, progress_);
+        if (!isWhole(l)) return false;
         for (Member& m : members_) {
-            if (k >= m.shapes.size()) continue;
-            const auto count = static_cast<Eigen::Index>(1 + m.effect().linear.size());
-            const Eigen::MatrixXd columns = l.jacobian.middleCols(m.column, count);
-            if (!columns.allFinite()) continue;
+            if (k >= m.slopes.size()) continue;
             Probe probe;
-            probe.values = m.shapes[k];
-            probe.column = Eigen::MatrixXd(columns.col(0));
-            scoreProbe(null_, m.effect().oneSided, columns, probe);
-            m.screened.probes.push_back(std::move(probe));
+            probe.values = m.slopes[k];
+            keep(m, std::move(probe),
+                 l.jacobian.middleCols(m.column, static_cast<Eigen::Index>(1 + m.effect().linear.size())));
         }
         return true;
+    }
+
+    /// Its traces at strengths other than 0, the others off.
+    void takeSecants(Member& member) {
+        held_.problem.knownPlans = null_.steps(simulation_, progress_).coarse;
+        for (const auto& [strength, shape] : member.secants) {
+            if (progress_.stopRequested()) return;
+            setShape(member, shape);
+            Eigen::VectorXd at = off();
+            at[member.column] = strength;
+            const Linearisation l = linearise(held_.problem, at, false, {}, coarse(simulation_), progress_);
+            if (!isWhole(l)) continue;
+            held_.problem.knownPlans = stepsOf(l);  // as by itself (Prober): the next is judged with these steps
+            Probe probe;
+            probe.values = shape;
+            probe.secant = strength;
+            keep(member, std::move(probe), (l.residuals - null_.fit.optimum.residuals) / strength);
+        }
     }
 
     const NullModel& null_;
@@ -139,6 +226,7 @@ private:
     Variant off_;  // all of them in the model
     PreparedTask held_;
     std::vector<GridPlan> plans_;
+    bool hasOtherStates_{};  // than the model without them
 };
 
 }  // namespace
@@ -146,8 +234,8 @@ private:
 std::vector<std::vector<std::size_t>> screenedTogether(const std::vector<Candidate>& candidates) {
     std::vector<std::vector<std::size_t>> groups;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-        const bool isLikeLast = !groups.empty() && groups.back().size() < mostTogether &&
-                                isSlopeAtNodes(candidates[i]) && isSlopeAtNodes(candidates[groups.back().back()]) &&
+        const bool isLikeLast = !groups.empty() && groups.back().size() < mostTogether && isOfTheModel(candidates[i]) &&
+                                isOfTheModel(candidates[groups.back().back()]) &&
                                 candidates[i].effect.className == candidates[groups.back().back()].effect.className;
         if (isLikeLast)
             groups.back().push_back(i);
@@ -159,13 +247,23 @@ std::vector<std::vector<std::size_t>> screenedTogether(const std::vector<Candida
 
 std::vector<Screened> screenTogether(const NullModel& null, const std::vector<Candidate>& candidates,
                                      const SimulationOptions& options, const Progress& progress) {
-    if (candidates.size() > 1) {
+    std::vector<Screened> all(candidates.size());
+    std::vector<std::vector<std::size_t>> parts;
+    if (candidates.size() > 1 && !progress.stopRequested()) {
         const SimulationOptions simulation = limited(null, options);
         JointScreening joint(null, candidates, simulation, progress);
         if (joint.run()) return std::move(joint).result();
+        parts = joint.parts();
     }
-    std::vector<Screened> all;
-    for (const Candidate& c : candidates) all.push_back(screen(null, c, options, progress));
+    if (parts.empty())
+        for (std::size_t i = 0; i < candidates.size(); ++i) parts.push_back({i});
+    for (const std::vector<std::size_t>& part : parts) {
+        std::vector<Candidate> some;
+        for (const std::size_t i : part) some.push_back(candidates[i]);
+        std::vector<Screened> own = some.size() > 1 ? screenTogether(null, some, options, progress)
+                                                    : std::vector{screen(null, some.front(), options, progress)};
+        for (std::size_t i = 0; i < part.size(); ++i) all[part[i]] = std::move(own[i]);
+    }
     return all;
 }
 

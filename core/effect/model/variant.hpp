@@ -59,9 +59,9 @@ const Recording& fittedRecording(const EstimationTask& task, int experiment);
 Outcome<Variant> withEffect(const Variant& variant, const EffectClass& effect, const EffectPlace& place,
                             const std::map<std::string, double>& values);
 
-/// The variant with one effect more at each of these places, all switched off, to be simulated and never shown:
-/// attached effects and bridges, driven by no recorded channel. `effects` and `places`: of one class, one for each
-/// place.
+/// The variant with one effect more at each of these places, all switched off, to be simulated and never shown: in
+/// components and at their connectors, driven by no recorded channel. `effects` and `places`: of one class, one for
+/// each place.
 Outcome<Variant> withEffectsBeside(const Variant& variant, const std::vector<EffectClass>& effects,
                                    const std::vector<EffectPlace>& places);
 

@@ -210,25 +210,70 @@ Outcome<WiredEffect> wireIn(const Library& library, const syntax::ClassDefinitio
     return wiring.finish();
 }
 
+namespace {
+
+/// One of several effects that are wired in beside each other, none of them laid out.
+class WiringBeside {
+public:
+    WiringBeside(const Library& library, const syntax::ClassDefinition& model, const EffectClass& effect)
+        : library_(library),
+          model_(model),
+          effect_(effect),
+          base_(instanceName(library, model, effect)),
+          edit_(model, nullptr, &library) {}
+
+    /// The component that the effect is, of this number.
+    std::string add(const EffectPlace& place, std::size_t number) {
+        NewComponent component;
+        component.className = effect_.className;
+        component.name = freeName(library_, model_, fmt::format("{}_at{}_", base_, number));
+        for (const auto& [name, text] : effect_.bound) component.modifications.emplace_back(name, text);
+        edit_.addComponent(component);
+        const auto own = [&](std::size_t side) { return component.name + "." + effect_.ports[side]; };
+        if (effect_.way == Way::Insert) edit_.replaceInConnections(place.connector, own(1));
+        edit_.addConnection(own(0), place.connector, {}, {});
+        if (effect_.way == Way::Bridge) edit_.addConnection(own(1), place.node, {}, {});
+        if (const std::string_view spare = place.spare; spare.starts_with(inputPrefix))
+            edit_.addEquation(
+                fmt::format("{}.{} = {}", component.name, effect_.channel, spare.substr(inputPrefix.size())));
+        return component.name;
+    }
+
+    /// The component that becomes the effect.
+    std::string specialise(const EffectPlace& place, const Diagram& diagram) {
+        const Block* component = diagram.find(place.connector);
+        const std::string held = component != nullptr ? classWith(library_, *component, effect_) : std::string();
+        edit_.setClass(place.connector, held.empty() ? effect_.className : held);
+        edit_.setModifier(place.connector, effect_.strength, "0");
+        return place.connector;
+    }
+
+    Outcome<syntax::TextEdit> finish(const std::string& what) const { return edit_.finish(what); }
+
+private:
+    const Library& library_;
+    const syntax::ClassDefinition& model_;
+    const EffectClass& effect_;
+    std::string base_;
+    ModelEdit edit_;
+};
+
+}  // namespace
+
 Outcome<WiredBeside> wireInBeside(const Library& library, const syntax::ClassDefinition& model,
                                   const EffectClass& effect, const std::vector<EffectPlace>& places) {
-    ModelEdit edit(model, nullptr, &library);
-    WiredBeside wired;
-    const std::string base = instanceName(library, model, effect);
-    for (const EffectPlace& place : places) {
-        NewComponent component;
-        component.className = effect.className;
-        component.name = freeName(library, model, fmt::format("{}_at{}_", base, wired.instances.size() + 1));
-        for (const auto& [name, text] : effect.bound) component.modifications.emplace_back(name, text);
-        edit.addComponent(component);
-        edit.addConnection(component.name + "." + effect.ports[0], place.connector, {}, {});
-        if (effect.way == Way::Bridge) edit.addConnection(component.name + "." + effect.ports[1], place.node, {}, {});
-        if (const std::string_view spare = place.spare; spare.starts_with(inputPrefix))
-            edit.addEquation(
-                fmt::format("{}.{} = {}", component.name, effect.channel, spare.substr(inputPrefix.size())));
-        wired.instances.push_back(component.name);
+    Diagram diagram;
+    if (effect.way == Way::Specialise) {
+        Outcome<Diagram> read = readDiagram(library, model.name);
+        if (!read) return read.diagnostics();
+        diagram = std::move(*read);
     }
-    Outcome<syntax::TextEdit> finished = edit.finish(fmt::format("Add {} at {} places", effect.kind, places.size()));
+    WiringBeside wiring(library, model, effect);
+    WiredBeside wired;
+    for (const EffectPlace& place : places)
+        wired.instances.push_back(effect.way == Way::Specialise ? wiring.specialise(place, diagram)
+                                                                : wiring.add(place, wired.instances.size() + 1));
+    Outcome<syntax::TextEdit> finished = wiring.finish(fmt::format("Add {} at {} places", effect.kind, places.size()));
     if (!finished) return finished.diagnostics();
     wired.edit = std::move(*finished);
     return wired;

@@ -23,8 +23,8 @@ Outcome<WiredEffect> wireIn(const Library& library, const syntax::ClassDefinitio
                             const EffectPlace& place, const std::map<std::string, double>& values,
                             const std::map<std::string, std::string>& expressions = {});
 
-/// An effect that is joined to nodes (attach, bridge), and to an input of the model or none, switched off, at several
-/// places at once.
+/// An effect at several places at once, switched off: joined to nodes (attach, bridge) and to an input of the model or
+/// none, between connectors and their nodes (insert), or in place of components that join no further node (specialise).
 struct WiredBeside {
     syntax::TextEdit edit;
     std::vector<std::string> instances;  // one for each place
