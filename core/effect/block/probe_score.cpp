@@ -1,6 +1,7 @@
 #include "core/effect/block/probe_score.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/effect/thresholds.hpp"
 
@@ -17,14 +18,14 @@ SharedColumns courseOf(const ColumnScore& score) {
     const Eigen::Index rows = score.directions->rows(), step = (rows + mostRows - 1) / mostRows;
     if (step == 1) return score.directions;
     Eigen::VectorXd some((rows + step - 1) / step);
-    for (Eigen::Index i = 0; i < some.size(); ++i) some[i] = (*score.directions)(i * step, 0);
+    for (Eigen::Index i = 0; i < some.size(); ++i) some[i] = static_cast<double>((*score.directions)(i * step, 0));
     return Eigen::MatrixXd(some.normalized());
 }
 
 /// A trace's part beside the model's parameters in the orthonormal `directions` that hold it, of length 1; zeros where
 /// there is none.
-Eigen::VectorXd directionOf(const NullModel& null, const Eigen::MatrixXd& trace, const Eigen::MatrixXd& directions) {
-    const Eigen::VectorXd parts = directions.transpose() * null.scores().plain(trace).col(0);
+Eigen::VectorXd directionOf(const NullModel& null, const Eigen::VectorXd& trace, const Eigen::MatrixXf& directions) {
+    const Eigen::VectorXd parts = directions.cast<double>().transpose() * null.scores().plain(trace).col(0);
     return parts.norm() > 0 ? Eigen::VectorXd(parts.normalized()) : parts;
 }
 
@@ -49,6 +50,14 @@ void scoreProbe(const NullModel& null, bool oneSided, const Eigen::MatrixXd& col
     probe.whitened = scoreColumns(scores.white, scores.whiteResidual, null.whitener(columns), oneSided);
 }
 
+Eigen::VectorXd secantTrace(const NullModel& null, const Eigen::VectorXd& residuals, double strength) {
+    constexpr double rounding = 1e-7;  // of the noise, root mean square
+    const Eigen::VectorXd difference = residuals - null.fit.optimum.residuals;
+    const double least = rounding * std::sqrt(static_cast<double>(difference.size()));
+    if (difference.norm() <= least) return Eigen::VectorXd::Zero(difference.size());
+    return difference / strength;
+}
+
 double scoreOf(const ColumnScore& score) {
     return score.wrongSign || score.visible < leastVisible ? 0 : score.explained;
 }
@@ -63,9 +72,9 @@ void keepBest(const NullModel& null, Screened& screened) {
         if (i > 0) probes[i].plain.directions.reset();
     }
     Probe& best = probes.front();
-    if (screened.isAbsorbed()) screened.absorbedBy = imitators(null, best.column->col(0));
-    best.strengthIn = directionOf(null, *best.column, *best.plain.directions);
-    for (Probe& probe : probes) probe.column.reset();
+    if (screened.isAbsorbed()) screened.absorbedBy = imitators(null, best.column);
+    best.strengthIn = directionOf(null, best.column, *best.plain.directions);
+    for (Probe& probe : probes) probe.column.resize(0);
 }
 
 }  // namespace analogon

@@ -48,7 +48,7 @@ bool Prober::take(const std::map<std::string, double>& shape, double secant, Pro
     if (!placed_.effect.phase.empty()) return takeWave(shape, probe);
     const std::optional<Eigen::MatrixXd> columns = traces(secant);
     if (!columns) return false;
-    probe.column = Eigen::MatrixXd(columns->col(0));
+    probe.column = columns->col(0);
     scoreProbe(null_, placed_.effect.oneSided, *columns, probe);
     return true;
 }
@@ -73,7 +73,7 @@ std::optional<Eigen::MatrixXd> Prober::traces(double secant, const std::vector<G
     // what follows is judged with these steps: to choose them anew takes longer than to take them
     if (!isSlope) held_.problem.knownPlans = stepsOf(l);
     Eigen::MatrixXd columns = needsTangents ? l.jacobian : Eigen::MatrixXd(l.residuals.size(), 1);
-    if (!isSlope) columns.col(0) = (l.residuals - null_.fit.optimum.residuals) / secant;
+    if (!isSlope) columns.col(0) = secantTrace(null_, l.residuals, secant);
     return columns.allFinite() ? std::optional(std::move(columns)) : std::nullopt;
 }
 
@@ -105,9 +105,9 @@ bool Prober::takeWave(const std::map<std::string, double>& shape, Probe& probe) 
     scoreProbe(null_, effect.oneSided, both, probe);
     const Eigen::Vector2d parts = probe.plain.strengths;
     const double strength = parts.norm();
-    probe.column = strength > 0 ? Eigen::MatrixXd(both * parts / strength) : Eigen::MatrixXd(both.col(0));
+    probe.column = strength > 0 ? Eigen::VectorXd(both * parts / strength) : Eigen::VectorXd(both.col(0));
     Probe along;
-    scoreProbe(null_, effect.oneSided, *probe.column, along);
+    scoreProbe(null_, effect.oneSided, probe.column, along);
     probe.plain.visible = along.plain.visible;
     probe.whitened.visible = along.whitened.visible;
     probe.plain.strengths = Eigen::VectorXd::Constant(1, strength);

@@ -17,7 +17,7 @@ struct Probe {
     double secant{};                       // 0: slope at strength 0
     ColumnScore plain;                     // against the residual as it is; its directions of the best probe alone
     ColumnScore whitened;                  // with the noise made white; without its directions
-    SharedColumns column;                  // trace of the strength, in units of the noise; once screened: none
+    Eigen::VectorXd column;                // trace of the strength, in units of the noise; once screened: none
     Eigen::VectorXd strengthIn;            // its projected trace in `plain.directions`, of length 1; of the best alone
     SharedColumns course;                  // its one direction, at some of the rows; empty: it has several
     bool isAlongRecorded{};                // of a wave along the recorded course of its variable

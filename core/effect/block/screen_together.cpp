@@ -180,7 +180,7 @@ private:
 
     void keep(Member& member, Probe probe, const Eigen::MatrixXd& columns) const {
         if (!columns.allFinite()) return;
-        probe.column = Eigen::MatrixXd(columns.col(0));
+        probe.column = columns.col(0);
         scoreProbe(null_, member.effect().oneSided, columns, probe);
         member.screened.probes.push_back(std::move(probe));
     }
@@ -215,7 +215,7 @@ private:
             Probe probe;
             probe.values = shape;
             probe.secant = strength;
-            keep(member, std::move(probe), (l.residuals - null_.fit.optimum.residuals) / strength);
+            keep(member, std::move(probe), secantTrace(null_, l.residuals, strength));
         }
     }
 

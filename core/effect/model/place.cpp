@@ -143,9 +143,9 @@ ModelNodes::ModelNodes(const Library& library, const Diagram& diagram, const Str
         }
     }
     for (const VariableId id : structure.inputs)
-        inputs_.emplace_back((*structure.model)[id].name, (*structure.model)[id].unit);
+        inputs_.emplace_back((*structure.model)[id].name, structure.model->unitOf((*structure.model)[id]));
     for (const VariableId id : structure.outputs)
-        outputs_.emplace_back((*structure.model)[id].name, (*structure.model)[id].unit);
+        outputs_.emplace_back((*structure.model)[id].name, structure.model->unitOf((*structure.model)[id]));
 }
 
 std::vector<EffectPlace> ModelNodes::attachPlaces(const std::string& signature) const {

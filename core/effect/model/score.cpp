@@ -125,8 +125,8 @@ Eigen::VectorXd OrthogonalProjector::coefficients(const Eigen::VectorXd& column)
     return qr.solve(column).cwiseQuotient(norms);
 }
 
-const Eigen::MatrixXd& SharedColumns::operator*() const {
-    static const Eigen::MatrixXd none;
+const Eigen::MatrixXf& SharedColumns::operator*() const {
+    static const Eigen::MatrixXf none;
     return columns_ ? *columns_ : none;
 }
 
@@ -151,7 +151,7 @@ ColumnScore scoreColumns(const OrthogonalProjector& complement, const Eigen::Vec
     score.wrongSign = oneSided && score.strengths[0] < 0;
     Eigen::MatrixXd directions = orthonormalBasis(rest, 1e-6);
     score.explained = (directions.transpose() * residual).squaredNorm();
-    score.directions = std::move(directions);
+    score.directions = directions;
     return score;
 }
 
@@ -166,9 +166,9 @@ Explained explainedBy(const Eigen::VectorXd& residual, const Eigen::MatrixXd& co
     return found;
 }
 
-double explainedTogether(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, const Eigen::VectorXd& residual) {
-    Eigen::MatrixXd both(residual.size(), a.cols() + b.cols());
-    both << a, b;
+double explainedTogether(const SharedColumns& a, const SharedColumns& b, const Eigen::VectorXd& residual) {
+    Eigen::MatrixXd both(residual.size(), a->cols() + b->cols());
+    both << a->cast<double>(), b->cast<double>();
     const Eigen::VectorXd along = both.transpose() * residual;
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> gram;
     gram.setThreshold(leastApart);
@@ -188,7 +188,7 @@ Eigen::MatrixXd gramOf(const std::vector<SharedColumns>& columns, Eigen::Index t
         Eigen::MatrixXd some(count, total);
         Eigen::Index at = 0;
         for (const SharedColumns& each : columns) {
-            some.middleCols(at, each->cols()) = each->middleRows(from, count);
+            some.middleCols(at, each->cols()) = each->middleRows(from, count).cast<double>();
             at += each->cols();
         }
         gram.selfadjointView<Eigen::Lower>().rankUpdate(some.transpose());

@@ -62,18 +62,20 @@ private:
     Eigen::MatrixXd jacobian_;
 };
 
-/// Columns that copies share: those of all candidates of a round take more room than all else.
+/// Columns of length 1 that copies share, in single precision: those of all candidates of a round take more room than
+/// all else, and are only held against each other.
 class SharedColumns {
 public:
     SharedColumns() = default;
-    SharedColumns(Eigen::MatrixXd columns) : columns_(std::make_shared<const Eigen::MatrixXd>(std::move(columns))) {}
+    SharedColumns(const Eigen::MatrixXd& columns)
+        : columns_(std::make_shared<const Eigen::MatrixXf>(columns.cast<float>())) {}
     /// Without rows and columns where there are none.
-    const Eigen::MatrixXd& operator*() const;
-    const Eigen::MatrixXd* operator->() const { return &**this; }
+    const Eigen::MatrixXf& operator*() const;
+    const Eigen::MatrixXf* operator->() const { return &**this; }
     void reset() { columns_.reset(); }
 
 private:
-    std::shared_ptr<const Eigen::MatrixXd> columns_;
+    std::shared_ptr<const Eigen::MatrixXf> columns_;
 };
 
 /// What one or more columns (the first: the strength) explain of a residual.
@@ -96,7 +98,7 @@ Explained explainedBy(const Eigen::VectorXd& residual, const Eigen::MatrixXd& co
 
 /// What two effects explain of a residual together, their projected columns (`directions`) fitted at once: far more
 /// than the sum of what each does alone where they hide each other.
-double explainedTogether(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, const Eigen::VectorXd& residual);
+double explainedTogether(const SharedColumns& a, const SharedColumns& b, const Eigen::VectorXd& residual);
 
 /// Quantile of the largest `explained - columns * ln(rows)` over all candidates when the residual is noise alone,
 /// from draws with the candidates' own correlation: accounts for how many were tried and how alike they are.

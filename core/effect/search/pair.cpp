@@ -36,8 +36,8 @@ std::vector<Pair> bestPairs(const std::vector<const Screened*>& effects, const E
             const Candidate &x = effects[a]->candidate, &y = effects[b]->candidate;
             if (x.place.at == y.place.at && x.effect.kind == y.effect.kind) continue;
             pairs.push_back({a, b,
-                             explainedTogether(*effects[a]->probes.front().plain.directions,
-                                               *effects[b]->probes.front().plain.directions, residual)});
+                             explainedTogether(effects[a]->probes.front().plain.directions,
+                                               effects[b]->probes.front().plain.directions, residual)});
         }
     std::stable_sort(pairs.begin(), pairs.end(),
                      [](const Pair& p, const Pair& q) { return p.explained > q.explained; });

@@ -6,9 +6,9 @@
 namespace analogon {
 
 bool isTwin(const Probe& probe, const Screened& candidate) {
-    const Eigen::MatrixXd& one = *probe.course;
+    const Eigen::MatrixXf& one = *probe.course;
     return std::any_of(candidate.probes.begin(), candidate.probes.end(), [&](const Probe& p) {
-        const Eigen::MatrixXd& other = *p.course;
+        const Eigen::MatrixXf& other = *p.course;
         return one.cols() == 1 && other.cols() == 1 && std::abs(one.col(0).dot(other.col(0))) > twinCorrelation;
     });
 }

@@ -95,7 +95,7 @@ std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Tr
     std::vector<std::size_t> members{best};
     const auto direction = [](const Trial& t) {
         const Probe& probe = t.screened.probes.front();
-        return Eigen::VectorXd(*probe.plain.directions * probe.strengthIn);
+        return Eigen::VectorXd(probe.plain.directions->cast<double>() * probe.strengthIn);
     };
     const Eigen::VectorXd own = direction(trials[best]);
     const double weight = independentShare(null, trials[best].fit);

@@ -28,7 +28,7 @@ TEST(Prober, TakesTheSlopeAlongTheStrength) {
     ASSERT_TRUE(prober.take({}, 0, probe));
     // an offset of 1 K, in units of the noise
     const double unit = 1 / null.noise[0][0];
-    EXPECT_TRUE(probe.column->isApproxToConstant(unit, 1e-6));
+    EXPECT_TRUE(probe.column.isApproxToConstant(unit, 1e-6));
     EXPECT_NEAR(probe.strength(), 2, 0.3);
     EXPECT_EQ(probe.secant, 0);
 }

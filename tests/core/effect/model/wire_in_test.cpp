@@ -107,10 +107,10 @@ end MissingTorque1;
     }
 }
 
-TEST(WireIn, LetsAnInputOfTheModelBeTheSurroundingsOfAnotherPart) {
-    const Variant variant{taskOf(R"(model Body
+/// A body in a room whose temperature is an input of the model, declared like that.
+void expectRoomAroundOtherParts(const std::string& declaration) {
+    const Variant variant{taskOf("model Body\n  " + declaration + R"(
   Analogon.Interfaces.RealInput P(unit="W");
-  Analogon.Interfaces.RealInput T_room(unit="K");
   Analogon.Sources.PrescribedHeatFlow heater;
   Analogon.Thermal.HeatCapacitor core(C=4), shell(C=2);
   Analogon.Thermal.ThermalConductor joint(G=0.2), skin(G=0.1);
@@ -143,6 +143,14 @@ end Body;
     const Outcome<FlatModel> flat = flatten(with->task.library, "Body");
     ASSERT_TRUE(flat) << format(flat.diagnostics());
     EXPECT_TRUE(analyse(std::make_shared<FlatModel>(*flat), {}));
+}
+
+TEST(WireIn, LetsAnInputOfTheModelBeTheSurroundingsOfAnotherPart) {
+    expectRoomAroundOtherParts("Analogon.Interfaces.RealInput T_room(unit=\"K\");");
+}
+
+TEST(WireIn, TakesTheUnitOfAnInputFromWhatItIsConnectedTo) {
+    expectRoomAroundOtherParts("Analogon.Interfaces.RealInput T_room;");
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ TEST(Probes, KeepTheDirectionsOfTheBestAlone) {
     for (const Screened& s : screenAll(of.search, of.base))
         for (std::size_t i = 0; i < s.probes.size(); ++i) {
             EXPECT_EQ(s.probes[i].plain.directions->cols() > 0, i == 0);
-            EXPECT_EQ(s.probes[i].column->size(), 0);
+            EXPECT_EQ(s.probes[i].column.size(), 0);
             EXPECT_EQ(s.probes[i].strengthIn.size() > 0, i == 0);
             EXPECT_LE(s.probes[i].course->rows(), 2000);
             others += i > 0;
