@@ -51,7 +51,7 @@ void scoreProbe(const NullModel& null, bool oneSided, const Eigen::MatrixXd& col
 }
 
 Eigen::VectorXd secantTrace(const NullModel& null, const Eigen::VectorXd& residuals, double strength) {
-    constexpr double rounding = 1e-7;  // of the noise, root mean square
+    constexpr double rounding = 1e-5;  // of the noise, root mean square
     const Eigen::VectorXd difference = residuals - null.fit.optimum.residuals;
     const double least = rounding * std::sqrt(static_cast<double>(difference.size()));
     if (difference.norm() <= least) return Eigen::VectorXd::Zero(difference.size());

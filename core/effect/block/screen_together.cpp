@@ -13,6 +13,10 @@ namespace {
 /// More in one model leave less for other threads, and gain little.
 constexpr std::size_t mostTogether = 32;
 
+/// What is inserted into neighbouring connections has to be solved for at once. So few, from all over the model, hardly
+/// meet.
+constexpr std::size_t mostInsertedTogether = 8;
+
 /// Fewer are not worth a model of their own where one of them is in the way of the others.
 constexpr std::size_t fewest = 3;
 
@@ -233,14 +237,16 @@ private:
 
 std::vector<std::vector<std::size_t>> screenedTogether(const std::vector<Candidate>& candidates) {
     std::vector<std::vector<std::size_t>> groups;
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-        const bool isLikeLast = !groups.empty() && groups.back().size() < mostTogether && isOfTheModel(candidates[i]) &&
-                                isOfTheModel(candidates[groups.back().back()]) &&
-                                candidates[i].effect.className == candidates[groups.back().back()].effect.className;
-        if (isLikeLast)
-            groups.back().push_back(i);
-        else
-            groups.push_back({i});
+    for (std::size_t begin = 0, end = 0; begin < candidates.size(); begin = end) {
+        end = begin + 1;
+        const auto isLikeFirst = [&](const Candidate& c) {
+            return isOfTheModel(c) && c.effect.className == candidates[begin].effect.className;
+        };
+        while (isOfTheModel(candidates[begin]) && end < candidates.size() && isLikeFirst(candidates[end])) ++end;
+        const std::size_t most = candidates[begin].effect.way == Way::Insert ? mostInsertedTogether : mostTogether;
+        const std::size_t count = (end - begin + most - 1) / most, first = groups.size();
+        groups.resize(first + count);
+        for (std::size_t i = begin; i < end; ++i) groups[first + (i - begin) % count].push_back(i);
     }
     return groups;
 }
