@@ -31,5 +31,13 @@ TEST(ProbeScore, IsThatOfWhatTheParametersLeaveOfATrace) {
     EXPECT_NEAR(same.plain.explained, seen.plain.explained, 1e-6 * seen.plain.explained);
 }
 
+TEST(SecantTrace, IsNoneWhereTheSimulationDiffersByRoundingAlone) {
+    const NullModel null = fittedModel(laggingBody(0, 2));
+    const Eigen::VectorXd& own = null.fit.optimum.residuals;
+    const Eigen::VectorXd rounded = own * (1 + 1e-9), moved = own * 1.01;
+    EXPECT_EQ(secantTrace(null, rounded, 0.5), Eigen::VectorXd::Zero(own.size()));
+    EXPECT_TRUE(secantTrace(null, moved, 0.5).isApprox(0.02 * own, 1e-9));
+}
+
 }  // namespace
 }  // namespace analogon
