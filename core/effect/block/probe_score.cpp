@@ -11,15 +11,13 @@ using namespace threshold::screen;
 
 namespace {
 
+/// Rows that tell the directions of candidates apart, those of all of which are held against each other.
+constexpr Eigen::Index mostRows = 8192;
+
 /// The one direction of a score at no more rows than tell courses apart; empty: it has several.
 SharedColumns courseOf(const ColumnScore& score) {
-    constexpr Eigen::Index mostRows = 2000;
-    if (score.directions->cols() != 1) return {};
-    const Eigen::Index rows = score.directions->rows(), step = (rows + mostRows - 1) / mostRows;
-    if (step == 1) return score.directions;
-    Eigen::VectorXd some((rows + step - 1) / step);
-    for (Eigen::Index i = 0; i < some.size(); ++i) some[i] = static_cast<double>((*score.directions)(i * step, 0));
-    return Eigen::MatrixXd(some.normalized());
+    constexpr Eigen::Index mostRowsOfACourse = 2000;
+    return score.directions->cols() == 1 ? atSomeRows(score.directions, mostRowsOfACourse) : SharedColumns();
 }
 
 /// A trace's part beside the model's parameters in the orthonormal `directions` that hold it, of length 1; zeros where
@@ -74,6 +72,7 @@ void keepBest(const NullModel& null, Screened& screened) {
     Probe& best = probes.front();
     if (screened.isAbsorbed()) screened.absorbedBy = imitators(null, best.column);
     best.strengthIn = directionOf(null, best.column, *best.plain.directions);
+    best.plain.directions = atSomeRows(best.plain.directions, mostRows);
     for (Probe& probe : probes) probe.column.resize(0);
 }
 

@@ -150,7 +150,8 @@ ColumnScore scoreColumns(const OrthogonalProjector& complement, const Eigen::Vec
     score.strengths = (-qr.solve(residual)).cwiseQuotient(norms);
     score.wrongSign = oneSided && score.strengths[0] < 0;
     Eigen::MatrixXd directions = orthonormalBasis(rest, 1e-6);
-    score.explained = (directions.transpose() * residual).squaredNorm();
+    score.along = directions.transpose() * residual;
+    score.explained = score.along.squaredNorm();
     score.directions = directions;
     return score;
 }
@@ -166,10 +167,22 @@ Explained explainedBy(const Eigen::VectorXd& residual, const Eigen::MatrixXd& co
     return found;
 }
 
-double explainedTogether(const SharedColumns& a, const SharedColumns& b, const Eigen::VectorXd& residual) {
-    Eigen::MatrixXd both(residual.size(), a->cols() + b->cols());
-    both << a->cast<double>(), b->cast<double>();
-    const Eigen::VectorXd along = both.transpose() * residual;
+SharedColumns atSomeRows(const SharedColumns& directions, Eigen::Index most) {
+    const Eigen::Index rows = directions->rows(), piece = (rows + most - 1) / most;
+    if (piece <= 1) return directions;
+    std::mt19937_64 random(1);  // the same rows of all candidates
+    std::uniform_int_distribution<Eigen::Index> within(0, piece - 1);
+    Eigen::MatrixXd some((rows + piece - 1) / piece, directions->cols());
+    for (Eigen::Index i = 0; i < some.rows(); ++i)
+        some.row(i) = directions->row(std::min(i * piece + within(random), rows - 1)).cast<double>();
+    return Eigen::MatrixXd(some.colwise().normalized());
+}
+
+double explainedTogether(const ColumnScore& a, const ColumnScore& b) {
+    Eigen::MatrixXd both(a.directions->rows(), a.directions->cols() + b.directions->cols());
+    both << a.directions->cast<double>(), b.directions->cast<double>();
+    Eigen::VectorXd along(both.cols());
+    along << a.along, b.along;
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> gram;
     gram.setThreshold(leastApart);
     gram.compute(both.transpose() * both);

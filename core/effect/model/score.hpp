@@ -85,6 +85,7 @@ struct ColumnScore {
     bool wrongSign{};           // the best strength is negative though the effect is one-sided
     Eigen::VectorXd strengths;  // best coefficients
     SharedColumns directions;   // orthonormal basis of the projected columns (correlation with other candidates)
+    Eigen::VectorXd along;      // the residual in that basis
 };
 ColumnScore scoreColumns(const OrthogonalProjector& complement, const Eigen::VectorXd& residual,
                          const Eigen::MatrixXd& columns, bool oneSided);
@@ -96,9 +97,13 @@ struct Explained {
 };
 Explained explainedBy(const Eigen::VectorXd& residual, const Eigen::MatrixXd& columns);
 
-/// What two effects explain of a residual together, their projected columns (`directions`) fitted at once: far more
+/// Directions at no more rows than `most`, one drawn from each piece of the rows (jittered sampling: what alternates
+/// faster than the pieces does not pass for something slow), of length 1 again.
+SharedColumns atSomeRows(const SharedColumns& directions, Eigen::Index most);
+
+/// What two effects explain of one residual together, their projected columns (`directions`) fitted at once: far more
 /// than the sum of what each does alone where they hide each other.
-double explainedTogether(const SharedColumns& a, const SharedColumns& b, const Eigen::VectorXd& residual);
+double explainedTogether(const ColumnScore& a, const ColumnScore& b);
 
 /// Quantile of the largest `explained - columns * ln(rows)` over all candidates when the residual is noise alone,
 /// from draws with the candidates' own correlation: accounts for how many were tried and how alike they are.

@@ -29,15 +29,14 @@ struct Pair {
 };
 
 /// The pairs that explain nearly as much as the best, best first.
-std::vector<Pair> bestPairs(const std::vector<const Screened*>& effects, const Eigen::VectorXd& residual) {
+std::vector<Pair> bestPairs(const std::vector<const Screened*>& effects) {
     std::vector<Pair> pairs;
     for (std::size_t a = 0; a < effects.size(); ++a)
         for (std::size_t b = a + 1; b < effects.size(); ++b) {
             const Candidate &x = effects[a]->candidate, &y = effects[b]->candidate;
             if (x.place.at == y.place.at && x.effect.kind == y.effect.kind) continue;
-            pairs.push_back({a, b,
-                             explainedTogether(effects[a]->probes.front().plain.directions,
-                                               effects[b]->probes.front().plain.directions, residual)});
+            pairs.push_back(
+                {a, b, explainedTogether(effects[a]->probes.front().plain, effects[b]->probes.front().plain)});
         }
     std::stable_sort(pairs.begin(), pairs.end(),
                      [](const Pair& p, const Pair& q) { return p.explained > q.explained; });
@@ -132,7 +131,7 @@ Round withPairMembers(SearchContext& search, const NullModel& null, Round round)
         if (members.size() < mostFitted && std::find(members.begin(), members.end(), s) == members.end())
             members.push_back(s);
     };
-    for (const Pair& p : bestPairs(named, null.fit.optimum.residuals)) {
+    for (const Pair& p : bestPairs(named)) {
         add(named[p.stronger]);
         add(named[p.weaker]);
     }
@@ -203,7 +202,7 @@ std::vector<std::size_t> pairBeginnings(const NullModel& null, const Round& roun
     }
     std::vector<std::size_t> begins;
     const auto isThere = [&](std::size_t i) { return std::find(begins.begin(), begins.end(), i) != begins.end(); };
-    for (const Pair& p : bestPairs(screened, null.fit.optimum.residuals)) {
+    for (const Pair& p : bestPairs(screened)) {
         if (begins.size() == most) break;
         const std::size_t stronger = named[p.stronger], weaker = named[p.weaker];
         if (!isThere(stronger) && !isThere(weaker)) begins.push_back(stronger);

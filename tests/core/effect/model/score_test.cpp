@@ -169,13 +169,22 @@ TEST(ExplainedTogether, ShowsTwoEffectsThatHideEachOther) {
     const Eigen::MatrixXd a = direction(common + 0.1 * wave(n, 7)), b = direction(common - 0.1 * wave(n, 7));
     const Eigen::MatrixXd other = direction(wave(n, 7) + 2 * wave(n, 11));
     const Eigen::VectorXd residual = 10 * (a - b).col(0);
-    const auto alone = [&](const Eigen::MatrixXd& columns) { return (columns.transpose() * residual).squaredNorm(); };
+    const auto scored = [&](const Eigen::MatrixXd& columns) {
+        ColumnScore score;
+        score.directions = columns;
+        score.along = columns.transpose() * residual;
+        return score;
+    };
+    const auto alone = [&](const Eigen::MatrixXd& columns) { return scored(columns).along.squaredNorm(); };
+    const auto together = [&](const Eigen::MatrixXd& x, const Eigen::MatrixXd& y) {
+        return explainedTogether(scored(x), scored(y));
+    };
     EXPECT_LT(alone(a), 0.02 * residual.squaredNorm());
     EXPECT_GT(alone(other), 5 * alone(a));
-    EXPECT_NEAR(explainedTogether(a, b, residual), residual.squaredNorm(), 1e-5 * residual.squaredNorm());
-    EXPECT_LT(explainedTogether(a, other, residual), 0.5 * residual.squaredNorm());
+    EXPECT_NEAR(together(a, b), residual.squaredNorm(), 1e-5 * residual.squaredNorm());
+    EXPECT_LT(together(a, other), 0.5 * residual.squaredNorm());
     // two of a kind are one
-    EXPECT_NEAR(explainedTogether(a, a, residual), alone(a), 1e-5 * alone(a));
+    EXPECT_NEAR(together(a, a), alone(a), 1e-5 * alone(a));
 }
 
 TEST(Whitener, MakesAnAutoregressiveResidualWhite) {
@@ -186,6 +195,21 @@ TEST(Whitener, MakesAnAutoregressiveResidualWhite) {
     const Eigen::VectorXd white = Whitener(channels, r)(r);
     EXPECT_NEAR(white.squaredNorm() / n, 1, 0.05);
     EXPECT_LT(std::abs(autocorrelation(white, 1)[1]), 0.05);
+}
+
+TEST(AtSomeRows, KeepsHowAlikeDirectionsAre) {
+    const int n = 20000;
+    const auto direction = [](Eigen::VectorXd v) { return SharedColumns(Eigen::MatrixXd(v.normalized())); };
+    const auto alike = [](const SharedColumns& a, const SharedColumns& b) {
+        return static_cast<double>(atSomeRows(a, 4000)->col(0).dot(atSomeRows(b, 4000)->col(0)));
+    };
+    const Eigen::VectorXd slow = wave(n, 3), other = wave(n, 5);
+    EXPECT_EQ(atSomeRows(direction(slow), 4000)->rows(), 4000);
+    EXPECT_EQ(atSomeRows(direction(slow), n)->rows(), n);
+    EXPECT_NEAR(alike(direction(slow), direction(slow + 0.1 * other)), 1 / std::hypot(1, 0.1), 1e-4);
+    EXPECT_NEAR(alike(direction(slow), direction(other)), 0, 0.01);
+    // every fifth row would show a wave of 4 003 periods as one of 3
+    EXPECT_NEAR(alike(direction(slow), direction(wave(n, 4003))), 0, 0.05);
 }
 
 TEST(NoiseThreshold, GrowsWithTheNumberOfUnlikeCandidates) {

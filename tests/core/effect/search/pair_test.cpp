@@ -24,6 +24,7 @@ Round roundOf(const std::vector<double>& explained) {
         t.screened.probes.resize(1);
         t.screened.probes[0].plain.directions =
             Eigen::MatrixXd(Eigen::VectorXd::Unit(samples, static_cast<Eigen::Index>(i)));
+        t.screened.probes[0].plain.along = Eigen::VectorXd::Constant(1, std::sqrt(explained[i]));
         round.trials.push_back(t);
     }
     return round;
