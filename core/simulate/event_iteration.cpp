@@ -93,11 +93,14 @@ void EventRun::judge(const std::set<int>& crossed, bool isFirst, bool isSingle) 
             continue;
         }
         if (crossed.count(static_cast<int>(k))) {
+            hasSwitched_[k] = 1;
             slot = slot == 0;
             continue;
         }
         double next = slot;
-        if (isFirst || difference == 0)  // exactly there the relation itself decides
+        // Exactly there the relation itself decides; but what it has just decided may be what brought it there, such
+        // as a friction that begins to slide where another one still holds: both sides are then right.
+        if (isFirst || (difference == 0 && !hasSwitched_[k]))
             next = holds(r.operation, difference);
         else if (std::fabs(difference) > hysteresis)
             next = (difference > 0) == isUpward(r.operation);
@@ -112,6 +115,7 @@ void EventRun::judge(const std::set<int>& crossed, bool isFirst, bool isSingle) 
     for (const std::size_t k : switching) {
         double& slot = slots_[static_cast<std::size_t>(model_.relations[k].slot)];
         slot = slot == 0;
+        hasSwitched_[k] = 1;
         lastSwitched_ = k;
     }
     const int relations = static_cast<int>(model_.relations.size());
@@ -150,6 +154,7 @@ void EventRun::name(std::string& changed, int slot) { changed = model_.slots[sta
 /// Continuous and discrete quantities in turn, until neither moves.
 bool EventRun::settle(const std::set<int>& crossed, bool isInitial) {
     std::string changed;
+    hasSwitched_.assign(model_.relations.size(), 0);
     for (int round = 0; round < mostIterations; ++round) {
         const std::vector<double> before = slots_;
         if (!takeSlots()) return hasNoValue(system_.failure(workspace_));

@@ -104,6 +104,7 @@ private:
     std::vector<DelayHistory> delays_;
     std::vector<int> delayedInputs_;  // by delay; -1: nobody reads it
     std::size_t lastSwitched_{};      // relation
+    std::vector<char> hasSwitched_;   // by relation: since the discrete quantities were last at rest
     std::vector<int> pending_;        // samples that come true at this event
     std::set<std::size_t> warned_;
     UndecidedScope undecided_;

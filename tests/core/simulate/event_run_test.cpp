@@ -6,52 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/eval/event_parts.hpp"
-#include "core/flat/flat_model.hpp"
+#include "tests/core/simulate/class_run.hpp"
 
 namespace analogon {
 namespace {
 
 using ::testing::HasSubstr;
-
-struct Simulated {
-    Diagnostics faults;
-    std::vector<std::string> names;
-    EventTrajectory trajectory;
-
-    /// The last value at this time or before.
-    double at(double time, const std::string& name) const {
-        const auto column = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
-        double value = std::nan("");
-        for (std::size_t k = 0; k < trajectory.time.size() && trajectory.time[k] <= time + 1e-12; ++k)
-            value = trajectory.rows[k].at(column);
-        return value;
-    }
-    double last(const std::string& name) const { return at(1e300, name); }
-};
-
-/// The class M of a text, over some seconds.
-Simulated runOf(const std::string& text, std::vector<std::string> names, double stop = 1, double tolerance = 1e-8) {
-    Simulated run;
-    run.names = names;
-    const auto library = Library().withSource(std::make_shared<const Source>("m.mo", text));
-    if (!library) return run.faults = library.diagnostics(), run;
-    const Outcome<FlatModel> flat = flatten(*library, "M");
-    if (!flat) return run.faults = flat.diagnostics(), run;
-    const Outcome<HybridModel> hybrid = partition(*flat);
-    if (!hybrid) return run.faults = hybrid.diagnostics(), run;
-    const Outcome<SystemPtr> system = systemBetween(*hybrid);
-    if (!system) return run.faults = system.diagnostics(), run;
-    EventRunOptions options;
-    options.stop = stop;
-    options.tolerance = tolerance;
-    Outcome<EventTrajectory> done = simulateWithEvents(*hybrid, **system, names, options);
-    if (!done) return run.faults = done.diagnostics(), run;
-    run.trajectory = std::move(*done);
-    return run;
-}
-
-#define ASSERT_RAN(run) ASSERT_TRUE((run).faults.empty()) << format((run).faults)
+using test::runOf;
+using test::Simulated;
 
 TEST(EventRun, ABallBouncesWhereTheFormulaSays) {
     const Simulated run = runOf(R"(
@@ -124,20 +86,6 @@ TEST(EventRun, SamplesMayBeginWhereAnInitialEquationSays) {
     EXPECT_THAT(format(bad.faults), HasSubstr("with an interval of 0 s"));
 }
 
-TEST(EventRun, OnTheBorderTheRelationItselfDecides) {
-    // the ramp ends in an event, and there the difference is 0 exactly
-    const Simulated run = runOf(R"(
-        model M Real f; Boolean free;
-        equation
-          f = 1 - (if time < 0.5 then 2*time else 1);
-          free = 100*f <= 0;
-        end M;)",
-                                {"f", "free"});
-    ASSERT_RAN(run);
-    EXPECT_EQ(run.at(0.49, "free"), 0);
-    EXPECT_EQ(run.at(0.51, "free"), 1);
-}
-
 TEST(EventRun, ASubscriptThatLeavesItsArrayEndsTheSimulation) {
     const std::string model = R"(
         model M parameter Real a[3] = {10, 20, 30}; Integer k; Real y;
@@ -187,24 +135,6 @@ TEST(EventRun, AHysteresisRemembers) {
     EXPECT_EQ(run.at(1.0 / 12 + 1e-6, "on"), 1);
     EXPECT_EQ(run.at(7.0 / 12 - 1e-6, "on"), 1);
     EXPECT_EQ(run.at(7.0 / 12 + 1e-6, "on"), 0);
-}
-
-TEST(EventRun, ALoopOfDiscreteAndContinuousQuantitiesIsSolved) {
-    // an ideal diode: off decides the current, and the voltage of the diode decides off
-    const Simulated run = runOf(R"(
-        model M Real s, i, v, u; Boolean off(start = true);
-        equation
-          u = sin(6.283185307179586*time);
-          off = s < 0;
-          v = s*(if off then 1 else 1e-5);
-          i = s*(if off then 1e-5 else 1);
-          u = v + i;
-        end M;)",
-                                {"i", "off"});
-    ASSERT_RAN(run);
-    EXPECT_NEAR(run.at(0.25, "i"), 1 / (1 + 1e-5), 1e-9);
-    EXPECT_NEAR(run.at(0.75, "i"), -1e-5 / (1 + 1e-5), 1e-9);
-    EXPECT_EQ(run.at(0.75, "off"), 1);
 }
 
 TEST(EventRun, AlgorithmsSetDiscreteVariablesInTheirOrder) {
@@ -407,42 +337,6 @@ TEST(EventRun, AnElementMayBeChosenAndSetByAnIndexThatRuns) {
     EXPECT_EQ(run.last("y"), 13);
     EXPECT_THAT(format(runOf(model(4), {"n"}, 0.95).faults),
                 HasSubstr("at t = 0.4 s: the subscript of 'buf[n]' is outside the array"));
-}
-
-/// A shaft that two brakes hold for half a second. What each of them takes is open meanwhile.
-std::string twoBrakes(const std::string& second, const std::string& more = "") {
-    return "model M parameter Real J = 2; Real w(start = 0, fixed = true), a, f1, f2, y(start = 0, fixed = true); "
-           "Boolean isHeld = time < 0.5; equation der(w) = a; J*a = 3 - f1 - f2; 0 = if isHeld then a else f1; "
-           "0 = if isHeld then " +
-           second + " else f2; der(y) = " + (more.empty() ? "w" : more) + "; end M;";
-}
-
-TEST(EventRun, EquationsThatRepeatEachOtherTakeTheSmallestValues) {
-    const Simulated run = runOf(twoBrakes("2*a"), {"w", "f1", "f2"});
-    ASSERT_RAN(run);
-    EXPECT_NEAR(run.at(0.4, "f1") + run.at(0.4, "f2"), 3, 1e-12);
-    EXPECT_LE(std::fabs(run.at(0.4, "f1")), 3);
-    EXPECT_NEAR(run.at(0.4, "w"), 0, 1e-12);
-    EXPECT_NEAR(run.last("w"), 0.75, 1e-6);
-    ASSERT_EQ(run.trajectory.remarks.size(), 1u);
-    EXPECT_THAT(run.trajectory.remarks[0].message.english(),
-                HasSubstr("open for a time, since they repeat each other"));
-}
-
-TEST(EventRun, EquationsThatContradictEachOtherHaveNoSolution) {
-    EXPECT_THAT(format(runOf(twoBrakes("a - 1"), {"w"}).faults), HasSubstr("has no value"));
-}
-
-TEST(EventRun, WhatTheEquationsLeaveOpenMustNotMoveTheStates) {
-    EXPECT_THAT(format(runOf(twoBrakes("a", "f1"), {"w"}).faults),
-                HasSubstr("the equations leave 'f1' open, and 'y' depends on it"));
-}
-
-TEST(EventRun, WhatKeepsSwitchingIsNamed) {
-    const Simulated run =
-        runOf("model M Boolean b(start = false, fixed = true); equation b = not pre(b); end M;", {"b"});
-    ASSERT_FALSE(run.faults.empty());
-    EXPECT_THAT(format(run.faults), HasSubstr("'b' keeps switching"));
 }
 
 }  // namespace

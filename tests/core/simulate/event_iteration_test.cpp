@@ -1,0 +1,108 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "tests/core/simulate/class_run.hpp"
+
+namespace analogon {
+namespace {
+
+using ::testing::HasSubstr;
+using test::runOf;
+using test::Simulated;
+
+TEST(EventIteration, OnTheBorderTheRelationItselfDecides) {
+    // the ramp ends in an event, and there the difference is 0 exactly
+    const Simulated run = runOf(R"(
+        model M Real f; Boolean free;
+        equation
+          f = 1 - (if time < 0.5 then 2*time else 1);
+          free = 100*f <= 0;
+        end M;)",
+                                {"f", "free"});
+    ASSERT_RAN(run);
+    EXPECT_EQ(run.at(0.49, "free"), 0);
+    EXPECT_EQ(run.at(0.51, "free"), 1);
+}
+
+TEST(EventIteration, ALoopOfDiscreteAndContinuousQuantitiesIsSolved) {
+    // an ideal diode: off decides the current, and the voltage of the diode decides off
+    const Simulated run = runOf(R"(
+        model M Real s, i, v, u; Boolean off(start = true);
+        equation
+          u = sin(6.283185307179586*time);
+          off = s < 0;
+          v = s*(if off then 1 else 1e-5);
+          i = s*(if off then 1e-5 else 1);
+          u = v + i;
+        end M;)",
+                                {"i", "off"});
+    ASSERT_RAN(run);
+    EXPECT_NEAR(run.at(0.25, "i"), 1 / (1 + 1e-5), 1e-9);
+    EXPECT_NEAR(run.at(0.75, "i"), -1e-5 / (1 + 1e-5), 1e-9);
+    EXPECT_EQ(run.at(0.75, "off"), 1);
+}
+
+/// A shaft that two brakes hold for half a second. What each of them takes is open meanwhile.
+std::string twoBrakes(const std::string& second, const std::string& more = "") {
+    return "model M parameter Real J = 2; Real w(start = 0, fixed = true), a, f1, f2, y(start = 0, fixed = true); "
+           "Boolean isHeld = time < 0.5; equation der(w) = a; J*a = 3 - f1 - f2; 0 = if isHeld then a else f1; "
+           "0 = if isHeld then " +
+           second + " else f2; der(y) = " + (more.empty() ? "w" : more) + "; end M;";
+}
+
+TEST(EventIteration, EquationsThatRepeatEachOtherTakeTheSmallestValues) {
+    const Simulated run = runOf(twoBrakes("2*a"), {"w", "f1", "f2"});
+    ASSERT_RAN(run);
+    EXPECT_NEAR(run.at(0.4, "f1") + run.at(0.4, "f2"), 3, 1e-12);
+    EXPECT_LE(std::fabs(run.at(0.4, "f1")), 3);
+    EXPECT_NEAR(run.at(0.4, "w"), 0, 1e-12);
+    EXPECT_NEAR(run.last("w"), 0.75, 1e-6);
+    ASSERT_EQ(run.trajectory.remarks.size(), 1u);
+    EXPECT_THAT(run.trajectory.remarks[0].message.english(),
+                HasSubstr("open for a time, since they repeat each other"));
+}
+
+TEST(EventIteration, EquationsThatContradictEachOtherHaveNoSolution) {
+    EXPECT_THAT(format(runOf(twoBrakes("a - 1"), {"w"}).faults), HasSubstr("has no value"));
+}
+
+TEST(EventIteration, WhatTheEquationsLeaveOpenMustNotMoveTheStates) {
+    EXPECT_THAT(format(runOf(twoBrakes("a", "f1"), {"w"}).faults),
+                HasSubstr("the equations leave 'f1' open, and 'y' depends on it"));
+}
+
+TEST(EventIteration, WhatKeepsSwitchingIsNamed) {
+    const Simulated run =
+        runOf("model M Boolean b(start = false, fixed = true); equation b = not pre(b); end M;", {"b"});
+    ASSERT_FALSE(run.faults.empty());
+    EXPECT_THAT(format(run.faults), HasSubstr("'b' keeps switching"));
+}
+
+/// Two frictions on one shaft, of 0.5 and of 3 N.m, against a torque that grows. Where both hold, each takes half; the
+/// first then begins to slide, whereupon the second holds it exactly on its border.
+TEST(EventIteration, AFrictionThatBeginsToSlideWhereAnotherHoldsStaysOnItsBorder) {
+    const Simulated run = runOf(R"(
+        model M Real w(start = 0, fixed = true), a, sa1, sa2, tau1, tau2; Boolean slides1(start = false), slides2;
+        equation
+          der(w) = a;
+          a = 4*time - tau1 - tau2;
+          slides1 = sa1 > 0.5; slides2 = sa2 > 3;
+          a = if slides1 then sa1 - 0.5 else 0;
+          a = if slides2 then sa2 - 3 else 0;
+          tau1 = if slides1 then 0.5 else sa1;
+          tau2 = if slides2 then 3 else sa2;
+        end M;)",
+                                {"w", "tau1", "tau2", "slides1", "slides2"});
+    ASSERT_RAN(run);
+    EXPECT_NEAR(run.at(0.2, "tau1"), 0.4, 1e-9);  // the smallest values
+    EXPECT_EQ(run.at(0.3, "slides1"), 1);
+    EXPECT_NEAR(run.at(0.5, "tau2"), 1.5, 1e-9);
+    EXPECT_NEAR(run.at(0.87, "w"), 0, 1e-9);
+    EXPECT_NEAR(run.last("w"), 2 * (1 - 0.875) * (1 - 0.875), 1e-6);
+}
+
+}  // namespace
+}  // namespace analogon
