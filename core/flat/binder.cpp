@@ -322,8 +322,45 @@ void Binder::bindDiscreteParameters() {
     });
 }
 
+/// Whether a parameter speaks of one that is found at the start, and of nothing else that runs.
+bool Binder::followsFoundAtStart(const FlatVariable& variable) {
+    bool follows = false, runs = false;
+    work_.pool.evaluate(variable.binding, [&](const ExpressionNode& leaf) {
+        if (leaf.operation != Operation::Variable)
+            runs = true;
+        else if (const FlatVariable& used = work_.variable(leaf.variable); used.isFoundAtStart)
+            follows = true;
+        else if (used.variability == FlatVariability::Continuous)
+            runs = true;
+        return 0.0;
+    });
+    return follows && !runs;
+}
+
+/// A parameter that is computed from one that is found at the start is known when that is: an equation gives it.
+void Binder::freeFollowers() {
+    auto& variables = work_.model.variables;
+    for (bool isNew = !free_.empty(); isNew;) {
+        isNew = false;
+        for (std::uint32_t i = 0; i < variables.size(); ++i) {
+            FlatVariable& variable = variables[i];
+            if (variable.variability != FlatVariability::Parameter || variable.type != FlatType::Real ||
+                !variable.binding.valid() || !followsFoundAtStart(variable))
+                continue;
+            isNew = variable.isFoundAtStart = true;
+            variable.variability = FlatVariability::Continuous;
+            Instance& component = work_.records[i].owner->component();
+            work_.model.equations.push_back(
+                {work_.pool.variable({i}), variable.binding, variable.value, component.name, false});
+            variable.binding = {};
+            ++component.equations;
+        }
+    }
+}
+
 void Binder::checkParameters() {
     bindDiscreteParameters();
+    freeFollowers();
     auto& variables = work_.model.variables;
     for (std::uint32_t i = 0; i < variables.size() && !work_.messages.full(); ++i)
         if (variables[i].variability != FlatVariability::Continuous) checkParameter({i});

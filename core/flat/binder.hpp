@@ -30,6 +30,8 @@ private:
     bool fitsType(const Element& element, const Value& value) const;
     void freeParameters(Instance& instance, Element& element);
     void bindDiscreteParameters();
+    bool followsFoundAtStart(const FlatVariable& variable);
+    void freeFollowers();
     void checkParameter(VariableId id);
 
     Flattening& work_;

@@ -184,7 +184,7 @@ void Equations::equal(const Value& leftValue, const Value& rightValue, const syn
         found_.push_back({left->elements[k], right->elements[k], equation.span, scope.instance->name, false});
 }
 
-/// Branches on parameters are chosen now; from the first condition that changes with time on, the rest is switched.
+/// Branches on parameters are chosen now; from the first condition that is not known yet on, the rest is switched.
 void Equations::conditional(const syntax::Equation& equation, const Scope& scope) {
     for (std::size_t b = 0; b < equation.branches.size(); ++b) {
         const auto& branch = equation.branches[b];
@@ -196,10 +196,10 @@ void Equations::conditional(const syntax::Equation& equation, const Scope& scope
                                  branch.condition->span);
             return;
         }
-        if (!work_.translator->isParametric(condition->elements[0])) return switched(equation, b, scope);
-        const auto holds = work_.translator->constantBoolean(*branch.condition, scope, phrase("the condition of 'if'"));
-        if (!holds) return;
-        if (*holds) return translate(branch.body, scope);
+        const bool isParametric = work_.translator->isParametric(condition->elements[0]);
+        const auto holds = isParametric ? work_.translator->constantNumber(condition->elements[0], true) : std::nullopt;
+        if (!holds) return switched(equation, b, scope);  // it runs, or is found at the start
+        if (*holds != 0) return translate(branch.body, scope);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "core/base/stop.hpp"
 #include "core/flat/dependent_nodes.hpp"
 #include "core/structure/cancellation.hpp"
+#include "core/structure/independence.hpp"
 #include "core/structure/rewrite.hpp"
 
 namespace analogon {
@@ -57,12 +58,12 @@ private:
     void stabilise(std::vector<Equation>& equations, std::vector<char>& isLeftOut);
     ExpressionId slopeOf(int constraint, ExpressionId unknown);
     double wishToBeState(int unknown, const std::vector<int>& constraints);
-    double startValue(ExpressionId of);
 
     EquationSystem system_;
     const std::vector<Equation>& redundant_;
     LeafCollector collect_;
-    std::map<std::uint32_t, DependentNodes> dependent_;  // by residual of a constraint
+    std::map<std::uint32_t, DependentNodes> dependent_;             // by residual of a constraint
+    std::map<std::pair<int, std::uint32_t>, ExpressionId> slopes_;  // by constraint and unknown
     Adjacency incidence_;
     std::vector<int> derivativeEquation_, integralEquation_;  // by equation; -1: none
     std::vector<char> isHighest_;                             // by unknown: it has no derivative
@@ -215,25 +216,13 @@ bool IndexReduction::pantelides() {
     return true;
 }
 
-/// Value at the start values of the model, parameters at their own; for ranking only.
-double IndexReduction::startValue(ExpressionId of) {
-    return system_.pool->evaluate(of, [this](const ExpressionNode& node) -> double {
-        if (node.operation != Operation::Variable) return 0;
-        const FlatVariable& variable = (*system_.model)[node.variable];
-        if (variable.variability != FlatVariability::Continuous)
-            return system_.model->parameterValue(node.variable).value_or(1);
-        const int u = system_.unknownOf(system_.pool->variable(node.variable));
-        if (u < 0) return 0;
-        const ExpressionId start = system_.unknowns[static_cast<std::size_t>(u)].start;
-        return start.valid() && system_.pool->isConstant(start) ? (*system_.pool)[start].value : 0;
-    });
-}
-
 /// The slope of a constraint along an unknown.
 ExpressionId IndexReduction::slopeOf(int constraint, ExpressionId unknown) {
+    ExpressionId& slope = slopes_[{constraint, unknown.value}];
+    if (slope.valid()) return slope;
     const ExpressionId residual = system_.residual(system_.equations[static_cast<std::size_t>(constraint)]);
     const auto nodes = dependent_.try_emplace(residual.value, *system_.pool, residual).first;
-    return system_.pool->differentiate(residual, unknown, nodes->second.of(unknown));
+    return slope = system_.pool->differentiate(residual, unknown, nodes->second.of(unknown));
 }
 
 /// How much a differentiated unknown should be a state; `constraints` are the equations it may be taken from.
@@ -265,7 +254,7 @@ double IndexReduction::wishToBeState(int unknown, const std::vector<int>& constr
         const ExpressionId slope = slopeOf(e, u.node);
         if (system_.pool->isConstant(slope))
             wish -= std::fabs((*system_.pool)[slope].value) == 1 ? 20 : 10;  // easily solved for
-        else if (std::fabs(startValue(slope)) < 1e-12)
+        else if (std::fabs(startValueOf(system_, slope)) < 1e-12)
             wish += 1000;  // cannot be solved for where the simulation starts
         else
             wish += 30;  // may be lost where the slope passes through 0
@@ -333,12 +322,26 @@ IndexReduction::Level IndexReduction::levelOf(std::vector<int> constraints, cons
     return level;
 }
 
-/// Greedy over a transversal matroid: the least wanted states that can pay for all constraints.
+/// The least wanted states that can pay for all constraints: whose slopes are independent, or where constraints depend
+/// on each other by their numbers, that stand in them (greedy over a matroid in both cases).
 std::vector<char> IndexReduction::dummiesOf(const Level& level) {
-    Matching matching(level.rows, static_cast<int>(level.constraints.size()));
     std::vector<char> isDummy(system_.unknowns.size(), 0);
+    const auto yields = [&](std::size_t candidate) {
+        isDummy[static_cast<std::size_t>(level.candidates[candidate])] = 1;
+    };
+    std::vector<SparseColumn> columns(level.candidates.size());
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        for (const int at : level.rows[i])
+            columns[i][at] =
+                genericValueOf(system_, slopeOf(level.constraints[static_cast<std::size_t>(at)],
+                                                system_.unknowns[static_cast<std::size_t>(level.candidates[i])].node));
+    if (const auto chosen = independentColumns(columns, level.constraints.size())) {
+        std::for_each(chosen->begin(), chosen->end(), yields);
+        return isDummy;
+    }
+    Matching matching(level.rows, static_cast<int>(level.constraints.size()));
     for (int i = 0; i < static_cast<int>(level.rows.size()); ++i)
-        if (matching.augment(i)) isDummy[static_cast<std::size_t>(level.candidates[static_cast<std::size_t>(i)])] = 1;
+        if (matching.augment(i)) yields(static_cast<std::size_t>(i));
     for (std::size_t i = 0; i < level.constraints.size(); ++i) {
         if (matching.rowOf(static_cast<int>(i)) >= 0) continue;
         const Equation& equation = system_.equations[static_cast<std::size_t>(level.constraints[i])];

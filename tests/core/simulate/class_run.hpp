@@ -31,7 +31,8 @@ struct Simulated {
 };
 
 /// The class M of a text, over some seconds.
-inline Simulated runOf(const std::string& text, std::vector<std::string> names, double stop = 1, double tolerance = 1e-8) {
+inline Simulated runOf(const std::string& text, std::vector<std::string> names, double stop = 1,
+                       double tolerance = 1e-8) {
     Simulated run;
     run.names = names;
     const auto library = Library().withSource(std::make_shared<const Source>("m.mo", text));

@@ -9,9 +9,9 @@
 namespace analogon {
 namespace {
 
-using ::testing::HasSubstr;
 using test::runOf;
 using test::Simulated;
+using ::testing::HasSubstr;
 
 TEST(EventIteration, OnTheBorderTheRelationItselfDecides) {
     // the ramp ends in an event, and there the difference is 0 exactly
