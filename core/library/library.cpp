@@ -175,7 +175,11 @@ const LibraryClass* Library::find(std::string_view qualifiedName) const {
 
 /// What an annotation uses(Package(version = "…")) of the study's own classes says; empty: nothing.
 std::string Library::usedVersion(std::string_view package) const {
-    for (const LibraryClass* one : classes()) {
+    const auto& classes = content().classes;
+    for (auto at = classes.begin(); at != classes.end();) {
+        // names within one of the top stand beside each other: on to the next
+        const LibraryClass* const one = at->second.get();
+        at = classes.lower_bound(at->first.substr(0, at->first.find('.')) + static_cast<char>('.' + 1));
         if (!one->scope.empty() || !one->definition->annotation) continue;
         const syntax::Modification* uses = one->definition->annotation->find("uses");
         if (!uses) continue;
