@@ -227,7 +227,15 @@ private:
         if (value->type != FlatType::Real)
             return fail(phrase("der needs a Real variable: an Integer does not vary continuously"),
                         expressions_[0]->span, phrase("declare the variable as Real"));
-        for (ExpressionId& element : value->elements) element = work_.translator->derivative(element, call_.span);
+        for (ExpressionId& element : value->elements) {
+            const ExpressionNode node = pool_[element];
+            const bool isElement = node.operation == Operation::Variable && work_.records[node.variable.value].owner;
+            if (isElement && work_.elementOf(node.variable).declaration->variability == syntax::Variability::Discrete)
+                return fail(
+                    phrase("'{}' changes at events alone and has no derivative", work_.variable(node.variable).name),
+                    expressions_[0]->span, phrase("remove the prefix 'discrete'"));
+            element = work_.translator->derivative(element, call_.span);
+        }
         return value;
     }
 
@@ -239,7 +247,15 @@ private:
         if (!work_.translator->isParametric(time->elements[0]))
             return fail(phrase("the delay time must be a parameter"), expressions_[1]->span,
                         phrase("a delay that changes while the model runs is not supported"));
-        if (expressions_[2] && !numericScalar(2)) return std::nullopt;
+        if (expressions_[2]) {
+            const auto most = numericScalar(2);
+            if (!most) return std::nullopt;
+            const auto longest = work_.translator->constantNumber(most->elements[0], false),
+                       asked = work_.translator->constantNumber(time->elements[0], false);
+            if (longest && asked && *asked > *longest)
+                return fail(phrase("the delay time {} is longer than the longest one, {}", *asked, *longest),
+                            expressions_[1]->span, phrase("delay(signal, time, longest time)"));
+        }
         signal->type = FlatType::Real;
         for (ExpressionId& element : signal->elements) element = pool_.delay(element, time->elements[0]);
         return signal;

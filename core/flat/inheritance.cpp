@@ -245,6 +245,9 @@ void Instantiator::addElement(Instance& instance, const LibraryClass& definition
     if (isBoth && !addOuterSide(instance, definition, component, isProtected)) return;
     const Scope scope{&instance, &definition};
     Modifier own = modifierOf(component.modifications, scope, work_.messages);
+    if (component.constrainedBy)
+        own = overConstraint(own, modifierOf(component.constrainedByModifications, scope, work_.messages),
+                             work_.messages);
     if (component.binding) {
         own.value = {&*component.binding, scope, {}, {}};
         own.span = component.nameSpan;
@@ -306,14 +309,10 @@ Element Instantiator::redeclare(Instance& instance, Element element, const synta
                               ? modifierOf(component.constrainedByModifications, element.scope, work_.messages)
                               : modifierOf(component.modifications, element.scope, work_.messages);
     if (!component.isReplaceable) constraint = element.modifier;  // other sizes, else what it was
-    Modifier fresh = modifierOf(replacement.modifications, modification.redeclareScope, work_.messages);
-    if (replacement.binding) fresh.value = {&*replacement.binding, modification.redeclareScope, {}, {}};
-    fresh.span = modification.span;
-    Modifier outer = modification;
+    Modifier outer = modification;                                // with what the new declaration says itself
     outer.redeclaredComponent = nullptr;
     outer.isFinal = constraint.isFinal = false;  // of the declaration: it does not forbid itself
-    element.modifier = merge(outer, merge(fresh, std::move(constraint), work_.messages, component.name), work_.messages,
-                             component.name);
+    element.modifier = merge(outer, std::move(constraint), work_.messages, component.name);
     element.modifier.isFinal = replacement.isFinal || modification.isFinal;
     element.declaration = &replacement;
     element.scope = modification.redeclareScope;

@@ -47,6 +47,15 @@ void addArgument(Modifier& target, const syntax::Modification& argument, const S
         node->redeclaredClass = argument.redeclaredClass.get();
         node->redeclareScope = scope;
     }
+    if (argument.redeclaredComponent) {
+        const syntax::Component& component = *argument.redeclaredComponent;
+        if (component.binding) node->value = {&*component.binding, scope, {}, {}};
+        Modifier own = modifierOf(component.modifications, scope, messages);
+        if (component.constrainedBy)
+            own = overConstraint(std::move(own), modifierOf(component.constrainedByModifications, scope, messages),
+                                 messages);
+        node->children = std::move(own.children);
+    }
     addArguments(*node, argument.arguments, scope, messages);
     if (argument.each) node->markEach();
 }
@@ -64,8 +73,31 @@ Modifier modifierOf(const std::vector<syntax::Modification>& arguments, const Sc
     return result;
 }
 
+namespace {
+
+/// What stands in the declaration is not what its constraining clause would forbid.
+void yieldTo(const Modifier& own, Modifier& constraint) {
+    constraint.isFinal = false;
+    for (const auto& [name, child] : own.children)
+        for (auto& [known, below] : constraint.children)
+            if (known == name) yieldTo(child, below);
+}
+
+}  // namespace
+
+Modifier overConstraint(const Modifier& own, Modifier constraint, Messages& messages) {
+    yieldTo(own, constraint);
+    return merge(own, std::move(constraint), messages);
+}
+
 Modifier merge(const Modifier& outer, Modifier inner, Messages& messages, const std::string& name) {
     if (outer.empty()) return inner;
+    // of a redeclaration that is redeclared again its constraining clause stays in force, if it has one
+    const syntax::Component* const before = outer.redeclaredComponent ? inner.redeclaredComponent : nullptr;
+    if (before && before->constrainedBy) {
+        inner.value = {};
+        inner.children = modifierOf(before->constrainedByModifications, inner.redeclareScope, messages).children;
+    }
     if (inner.isFinal) {
         messages.error(phrase("'{}' is final and cannot be modified", name), outer.span,
                        phrase("remove the modification; the value is fixed where the element is declared"));

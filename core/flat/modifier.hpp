@@ -56,6 +56,9 @@ Modifier modifierOf(const std::vector<syntax::Modification>& arguments, const Sc
 /// The outer modification overrides the inner one; an inner `final` refuses it.
 Modifier merge(const Modifier& outer, Modifier inner, Messages& messages, const std::string& name = {});
 
+/// What is said in a declaration, above what its constraining clause says (section 7.3.2).
+Modifier overConstraint(const Modifier& own, Modifier constraint, Messages& messages);
+
 /// What an array's modification says about the element with these subscripts.
 Modifier elementModifier(const Modifier& ofArray, const std::vector<int>& subscripts);
 

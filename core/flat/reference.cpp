@@ -519,26 +519,53 @@ std::optional<Value> Translator::namedConstant(const syntax::Name& name, const S
     return value;
 }
 
-/// `import Modelica.Constants.pi;`, `import Modelica.Constants.*;`
+/// `import Modelica.Constants.pi;` and, behind all of these, `import Modelica.Constants.*;` (section 5.3.1).
 std::optional<Value> Translator::importedConstant(const syntax::Name& name, const LibraryClass& in, bool& found,
                                                   std::set<const LibraryClass*>& seen) {
     const std::string& first = name.parts.front().identifier;
     for (const syntax::Import& import : in.definition->imports) {
-        if (!import.wildcard && import.alias != first) continue;
+        if (import.wildcard || import.alias != first || import.name.parts.size() < 2) continue;
         syntax::Name package = import.name;
-        std::string constant = first;
-        if (!import.wildcard) {
-            constant = package.parts.back().identifier;
-            package.parts.pop_back();
-        }
-        if (package.parts.empty()) continue;
+        const std::string constant = package.parts.back().identifier;
+        package.parts.pop_back();
         package.absolute = true;
         const LibraryClass* const holder = work_.library.lookup(package, "");
-        if (!holder) continue;
-        auto value = constantOf(*holder, constant, found, seen);
+        auto value = holder ? constantOf(*holder, constant, found, seen) : std::nullopt;
         if (found) return value;
     }
-    return std::nullopt;
+    return constantOfWholeImports(name, in, found, seen);
+}
+
+/// What is public in the packages that are imported as a whole; a name that two of them have is refused.
+std::optional<Value> Translator::constantOfWholeImports(const syntax::Name& name, const LibraryClass& in, bool& found,
+                                                        std::set<const LibraryClass*>& seen) {
+    const std::string& first = name.parts.front().identifier;
+    const LibraryClass* from = nullptr;
+    std::optional<Value> value;
+    for (const syntax::Import& import : in.definition->imports) {
+        if (!import.wildcard) continue;
+        syntax::Name package = import.name;
+        package.absolute = true;
+        const LibraryClass* const holder = work_.library.lookup(package, "");
+        if (!holder || holder == from) continue;
+        const auto& components = holder->definition->components;
+        if (std::any_of(components.begin(), components.end(),
+                        [&](const syntax::Component& c) { return c.name == first && c.isProtected; }))
+            continue;
+        bool isHere = false;
+        auto its = constantOf(*holder, first, isHere, seen);
+        if (!isHere) continue;
+        found = true;
+        if (from) {
+            work_.messages.error(
+                phrase("'{}' is imported from '{}' and from '{}'", first, from->qualifiedName, holder->qualifiedName),
+                name.span, phrase("import the one that is meant by its name"));
+            return std::nullopt;
+        }
+        from = holder;
+        value = std::move(its);
+    }
+    return value;
 }
 
 std::optional<Value> Translator::constantOf(const LibraryClass& definition, const std::string& name, bool& found,

@@ -91,6 +91,8 @@ private:
     std::optional<Value> objectOf(Element& element);
     std::optional<Value> importedConstant(const syntax::Name& name, const LibraryClass& in, bool& found,
                                           std::set<const LibraryClass*>& seen);
+    std::optional<Value> constantOfWholeImports(const syntax::Name& name, const LibraryClass& in, bool& found,
+                                                std::set<const LibraryClass*>& seen);
     std::optional<Value> namedConstant(const syntax::Name& name, const Scope& scope, bool& found);
     std::optional<Value> constantOf(const LibraryClass& definition, const std::string& name, bool& found,
                                     std::set<const LibraryClass*>& seen);

@@ -72,6 +72,9 @@ std::optional<ResolvedType> Instantiator::resolveType(const syntax::Name& name, 
                          own.dimensions.begin() +
                              static_cast<std::ptrdiff_t>(std::min(own.dimensions.size(), tree.shortDimensions.size())));
     if (!satisfies(own, *tree.constrainedBy, {nullptr, outside}, tree.nameSpan)) return std::nullopt;
+    Modifier constraint = modifierOf(tree.constrainedByModifications, {scope.instance, outside}, work_.messages);
+    constraint.markEach();
+    type->modifier = overConstraint(type->modifier, std::move(constraint), work_.messages);
     return type;
 }
 

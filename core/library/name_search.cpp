@@ -79,7 +79,7 @@ const LibraryClass* NameSearch::imported(const LibraryClass& in, std::string_vie
         if (!clause.wildcard) continue;
         const LibraryClass* package = meant(clause.name);
         const LibraryClass* found = package ? declaredOrInherited(*package, identifier) : nullptr;
-        if (found) return found;
+        if (found && !found->definition->isProtected) return found;
     }
     return nullptr;
 }

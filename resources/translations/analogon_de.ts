@@ -12388,6 +12388,30 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>die Variable als Real deklarieren</translation>
     </message>
     <message>
+        <source>the delay time {} is longer than the longest one, {}</source>
+        <translation>die Totzeit {} ist länger als die längste, {}</translation>
+    </message>
+    <message>
+        <source>delay(signal, time, longest time)</source>
+        <translation>delay(Signal, Zeit, längste Zeit)</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; changes at events alone and has no derivative</source>
+        <translation>„{}“ ändert sich nur bei Ereignissen und hat keine Ableitung</translation>
+    </message>
+    <message>
+        <source>remove the prefix &apos;discrete&apos;</source>
+        <translation>das Präfix „discrete“ entfernen</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is imported from &apos;{}&apos; and from &apos;{}&apos;</source>
+        <translation>„{}“ wird aus „{}“ und aus „{}“ importiert</translation>
+    </message>
+    <message>
+        <source>import the one that is meant by its name</source>
+        <translation>das gemeinte unter seinem Namen importieren</translation>
+    </message>
+    <message>
         <source>the delay time must be a parameter</source>
         <translation>die Totzeit muss ein Parameter sein</translation>
     </message>

@@ -176,5 +176,31 @@ TEST(Outer, IsOfTheSameSizeAndUnmodified) {
         Contains(HasSubstr("the outer component 'p' cannot be modified")));
 }
 
+/// Section 5.3.1: what is imported by its name hides what comes with a whole package.
+TEST(ClassRules, ImportsOfWholePackagesComeLastAndMustBeClear) {
+    const std::string packages =
+        "encapsulated package P constant Real x = 2; protected constant Real y = 3; end P; "
+        "encapsulated package Q constant Real x = 4; end Q; ";
+    const FlatModel m = flatOf(packages + "model M import P.*; import Q.x; parameter Real u = x; end M;");
+    EXPECT_EQ(valueOf(m, "u"), 4);
+    EXPECT_THAT(faultsOf(packages + "model M import P.*; import Q.*; parameter Real u = x; end M;"),
+                ElementsAre(HasSubstr("'x' is imported from 'P' and from 'Q'")));
+    EXPECT_THAT(faultsOf(packages + "model M import P.*; parameter Real u = y; end M;"),
+                Contains(HasSubstr("'y' is not declared")));
+}
+
+TEST(ClassRules, ADelayIsAtMostAsLongAsItsLongest) {
+    const auto model = [](const std::string& longest) {
+        return "model M Real y = time, z = delay(y, 5.5, " + longest + "); end M;";
+    };
+    EXPECT_THAT(faultsOf(model("6")), IsEmpty());
+    EXPECT_THAT(faultsOf(model("1")), ElementsAre(HasSubstr("the delay time 5.5 is longer than the longest one, 1")));
+}
+
+TEST(ClassRules, WhatChangesAtEventsAloneHasNoDerivative) {
+    EXPECT_THAT(faultsOf("model M discrete Real p = 1; Real a = der(p); end M;"),
+                Contains(HasSubstr("'p' changes at events alone and has no derivative")));
+}
+
 }  // namespace
 }  // namespace analogon

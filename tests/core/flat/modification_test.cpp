@@ -223,5 +223,45 @@ TEST(Redeclaration, AnEnumerationMayTakeThePlaceOfAnother) {
     EXPECT_EQ(valueOf(m, "p.l"), 3);
 }
 
+/// Section 7.3.2: also in the declaration itself, below what it says; and in each redeclaration.
+TEST(Redeclaration, WhatAConstrainingClauseModifiesIsInForceFromTheStart) {
+    const FlatModel m = flatOf(R"(
+        model A parameter Real x = 1; end A;
+        model B parameter Real x = 5; parameter Real y = 6; end B;
+        model H replaceable model X = B constrainedby A(x = 2); X m; end H;
+        model H2 extends H(redeclare model X = B(y = 3)); end H2;
+        model K replaceable B b(y = 7) constrainedby A(x = 3); end K;
+        model O replaceable B b(x = 4) constrainedby A(final x = 3); end O;
+        model M H h; H2 h2; K k; K k2(b(x = 9)); K k3(redeclare B b(y = 8)); O o; end M;)");
+    EXPECT_EQ(valueOf(m, "h.m.x"), 2);
+    EXPECT_EQ(valueOf(m, "h.m.y"), 6);
+    EXPECT_EQ(valueOf(m, "h2.m.x"), 2);
+    EXPECT_EQ(valueOf(m, "h2.m.y"), 3);
+    EXPECT_EQ(valueOf(m, "k.b.x"), 3);
+    EXPECT_EQ(valueOf(m, "k.b.y"), 7);
+    EXPECT_EQ(valueOf(m, "k2.b.x"), 9);
+    EXPECT_EQ(valueOf(m, "k3.b.x"), 3);
+    EXPECT_EQ(valueOf(m, "k3.b.y"), 8);
+    EXPECT_EQ(valueOf(m, "o.b.x"), 4);
+}
+
+TEST(Redeclaration, OfARedeclarationTakesWhatTheLastOneSaysAndWhatConstrainsIt) {
+    const FlatModel m = flatOf(R"(
+        model A parameter Real x = 1; end A;
+        model B parameter Real x = 1; parameter Real y = 1; parameter Real z = 1; end B;
+        model D replaceable B b constrainedby A; end D;
+        model E extends D(redeclare replaceable B b(z = 8) constrainedby B(x = 2, y = 3)); end E;
+        model F extends E(redeclare B b(y = 4)); end F;
+        model G extends D(b(x = 7)); end G;
+        model N extends G(redeclare B b(x = 9)); end N;
+        model M E e; F f; N n; end M;)");
+    EXPECT_EQ(valueOf(m, "e.b.x"), 2);
+    EXPECT_EQ(valueOf(m, "e.b.z"), 8);
+    EXPECT_EQ(valueOf(m, "f.b.x"), 2);
+    EXPECT_EQ(valueOf(m, "f.b.y"), 4);
+    EXPECT_EQ(valueOf(m, "f.b.z"), 1);
+    EXPECT_EQ(valueOf(m, "n.b.x"), 9);
+}
+
 }  // namespace
 }  // namespace analogon
