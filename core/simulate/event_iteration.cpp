@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
@@ -40,16 +41,55 @@ void EventRun::takeDelayed(double t) {
     }
 }
 
+/// The readings at this time; at the start with the states that it finds.
+bool EventRun::readNow(bool isInitial) {
+    if (isInitial && n_ > 0 && !system_.initialise(workspace_, time_, u_, x_)) return false;
+    return read(time_, x_.data(), readings_);
+}
+
 /// Before the run begins a delayed signal is what it is at the begin. Whether that has changed.
 bool EventRun::takeStarts() {
     bool isNew = false;
     for (std::size_t d = 0; d < delays_.size(); ++d) {
         if (delayedInputs_[d] < 0 || !delays_[d].isEmpty()) continue;
         double& input = u_[static_cast<std::size_t>(delayedInputs_[d])];
-        isNew = isNew || input != readings_[static_cast<std::size_t>(model_.delays[d].reading)];
-        input = readings_[static_cast<std::size_t>(model_.delays[d].reading)];
+        const double signal = readings_[static_cast<std::size_t>(model_.delays[d].reading)];
+        isNew = isNew || !(std::fabs(input - signal) <= 1e-12 * std::max(1.0, std::fabs(signal)));
+        input = signal;
     }
     return isNew;
+}
+
+/// The same where signals and what they were wait for each other, as on a line that sends its waves to and fro: a step
+/// of Newton's method from the readings as they are.
+bool EventRun::solveStarts(bool isInitial) {
+    std::vector<std::size_t> inputs, readings;
+    for (std::size_t d = 0; d < delays_.size(); ++d) {
+        if (delayedInputs_[d] < 0 || !delays_[d].isEmpty()) continue;
+        inputs.push_back(static_cast<std::size_t>(delayedInputs_[d]));
+        readings.push_back(static_cast<std::size_t>(model_.delays[d].reading));
+    }
+    const auto count = static_cast<Eigen::Index>(inputs.size());
+    Eigen::VectorXd lacking(count);
+    for (Eigen::Index i = 0; i < count; ++i)
+        lacking[i] = readings_[readings[static_cast<std::size_t>(i)]] - u_[inputs[static_cast<std::size_t>(i)]];
+    const std::vector<double> held = u_, seen = readings_;
+    Eigen::MatrixXd slope = Eigen::MatrixXd::Identity(count, count);
+    for (Eigen::Index j = 0; j < count; ++j) {
+        double& input = u_[inputs[static_cast<std::size_t>(j)]];
+        const double step = 1e-6 * std::max(1.0, std::fabs(input));
+        input += step;
+        if (!readNow(isInitial)) return false;
+        for (Eigen::Index i = 0; i < count; ++i) {
+            const std::size_t r = readings[static_cast<std::size_t>(i)];
+            slope(i, j) -= (readings_[r] - seen[r]) / step;
+        }
+        u_ = held;
+    }
+    // the smallest step where several will do
+    const Eigen::VectorXd by = slope.completeOrthogonalDecomposition().solve(lacking);
+    for (Eigen::Index i = 0; i < count; ++i) u_[inputs[static_cast<std::size_t>(i)]] += by[i];
+    return readNow(isInitial);
 }
 
 /// The delayed signals as they are now, behind an event.
@@ -158,11 +198,12 @@ bool EventRun::settle(const std::set<int>& crossed, bool isInitial) {
     for (int round = 0; round < mostIterations; ++round) {
         const std::vector<double> before = slots_;
         if (!takeSlots()) return hasNoValue(system_.failure(workspace_));
-        if (isInitial && n_ > 0 && !system_.initialise(workspace_, time_, u_, x_))
-            isRound_ = false;
-        else
-            isRound_ = read(time_, x_.data(), readings_);
-        const bool isStart = isRound_ && takeStarts();
+        isRound_ = readNow(isInitial);
+        bool isStart = isRound_ && takeStarts();
+        if (isStart && round >= 5) {
+            isRound_ = readNow(isInitial) && solveStarts(isInitial);
+            isStart = isRound_ && takeStarts();
+        }
         if (!isRound_ && round > 20) return hasNoValue(system_.failure(workspace_));
         model_.program.run(slots_, readings_, time_, values_);
         judge(round == 0 ? crossed : std::set<int>{}, isInitial && round < 20, round >= 10);

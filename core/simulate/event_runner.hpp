@@ -53,7 +53,9 @@ private:
     bool beginTangents(const std::set<int>& crossed);
     EventMoment momentOf(const std::set<int>& crossed) const;
     void takeDelayed(double t);
+    bool readNow(bool isInitial);
     bool takeStarts();
+    bool solveStarts(bool isInitial);
     bool rememberEvent();
     bool rememberStep(double begin, double end);
     double offsetOf(int step) const;

@@ -104,5 +104,23 @@ TEST(EventIteration, AFrictionThatBeginsToSlideWhereAnotherHoldsStaysOnItsBorder
     EXPECT_NEAR(run.last("w"), 2 * (1 - 0.875) * (1 - 0.875), 1e-6);
 }
 
+/// A line without losses, fed with a direct voltage: at the start both waves are what they were before.
+TEST(EventIteration, DelayedSignalsThatWaitForEachOtherAreFoundAtTheStart) {
+    const Simulated run = runOf(R"(
+        model M parameter Real Z = 50, T = 0.1, R = 200; Real v1, v2, i1, i2, es, er;
+        equation
+          v1 = 10 + (if time < 0.5 then 0 else 5);
+          i1 = (v1 - es)/Z; i2 = (v2 - er)/Z; v2 = -R*i2;
+          es = 2*delay(v2, T) - delay(er, T);
+          er = 2*delay(v1, T) - delay(es, T);
+        end M;)",
+                                {"v2", "i1", "i2"});
+    ASSERT_RAN(run);
+    EXPECT_NEAR(run.at(0.3, "v2"), 10, 1e-9);
+    EXPECT_NEAR(run.at(0.3, "i1"), 0.05, 1e-9);
+    EXPECT_NEAR(run.at(0.59, "v2"), 10, 1e-9);
+    EXPECT_NEAR(run.at(0.65, "v2"), 10 + 2.0 * 5 * 200 / 250, 1e-6);  // the wave arrives, and most of it goes back
+}
+
 }  // namespace
 }  // namespace analogon
