@@ -309,8 +309,10 @@ bool EventRun::initialise() {
     // twice: what is assigned at the start may read what the start decides
     for (int round = 0; round < 2; ++round) {
         model_.program.run(slots_, readings_, time_, values_);
-        for (const HybridModel::Assignment& a : model_.initialAssignments)
-            slots_[static_cast<std::size_t>(a.slot)] = values_[static_cast<std::size_t>(a.step)];
+        for (const HybridModel::Assignment& a : model_.initialAssignments) {
+            const double value = values_[static_cast<std::size_t>(a.step)];
+            if (round > 0 || std::isfinite(value)) slots_[static_cast<std::size_t>(a.slot)] = value;
+        }
         if (!settle({}, true)) return false;
     }
     if (tangents_ && !tangents_->start(point(), true)) return hasNoTangent();

@@ -117,12 +117,40 @@ void Partition::splitEquations() {
             discrete_.push_back(std::move(d));
     }
     model_->equations = std::move(continuous);
-    std::vector<FlatEquation> initial;
+    splitInitialEquations();
+}
+
+/// Those that say what a discrete variable begins with. `x = r` does so only where nothing else says it of r: otherwise
+/// it says it of x.
+void Partition::splitInitialEquations() {
+    std::vector<FlatEquation> initial, open;
+    std::set<std::uint32_t> given;
+    const auto give = [&](VariableId slot, ExpressionId value) {
+        initial_.emplace_back(slot, value);
+        given.insert(slot.value);
+    };
+    const auto isGiven = [&](std::optional<VariableId> id) {
+        return id && isSlot(*id) && (variable(*id).isFixed || given.count(id->value));
+    };
     for (const FlatEquation& e : model_->initialEquations) {
-        if (const auto left = lone(e.left); left && isSlot(*left))
-            initial_.emplace_back(*left, e.right);
-        else if (const auto right = lone(e.right); right && isSlot(*right))
-            initial_.emplace_back(*right, e.left);
+        const auto left = lone(e.left), right = lone(e.right);
+        if (isContinuousVariable(left) || isContinuousVariable(right))
+            open.push_back(e);
+        else if (left && isSlot(*left))
+            give(*left, e.right);
+        else if (right && isSlot(*right))
+            give(*right, e.left);
+        else
+            initial.push_back(e);
+    }
+    for (const FlatEquation& e : open) {
+        const auto left = lone(e.left), right = lone(e.right);
+        if (isGiven(left) || isGiven(right))
+            initial.push_back(e);
+        else if (left && isSlot(*left))
+            give(*left, e.right);
+        else if (right && isSlot(*right))
+            give(*right, e.left);
         else
             initial.push_back(e);
     }

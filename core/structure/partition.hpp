@@ -36,6 +36,7 @@ private:
         std::vector<std::pair<VariableId, ExpressionId>> ways;  // variable := expression
     };
     void splitEquations();
+    void splitInitialEquations();
     bool augment(std::size_t equation, std::vector<char>& seen);
     void match();
     bool runs(ExpressionId id);

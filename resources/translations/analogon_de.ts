@@ -9420,10 +9420,6 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>die Bedingung nach „if“ muss Boolean sein, nicht {}</translation>
     </message>
     <message>
-        <source>the condition of 'if'</source>
-        <translation>die Bedingung von „if“</translation>
-    </message>
-    <message>
         <source>an 'if' on a condition that changes needs as many equations in each branch</source>
         <translation>ein „if“ mit einer Bedingung, die sich ändert, braucht in jedem Zweig gleich viele Gleichungen</translation>
     </message>

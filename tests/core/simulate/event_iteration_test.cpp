@@ -122,5 +122,21 @@ TEST(EventIteration, DelayedSignalsThatWaitForEachOtherAreFoundAtTheStart) {
     EXPECT_NEAR(run.at(0.65, "v2"), 10 + 2.0 * 5 * 200 / 250, 1e-6);  // the wave arrives, and most of it goes back
 }
 
+/// The logarithm of a number that is not drawn yet has no value: it has one when the number is there.
+TEST(EventIteration, AnInitialValueMayFollowFromAnotherThatIsFoundWithIt) {
+    const Simulated run = runOf(R"(
+        model M discrete Real raw, r; Real x;
+        initial equation
+          r = log(raw); raw = exp(-1); x = r;
+        equation
+          when sample(0.5, 1) then raw = exp(-2); r = log(raw); end when;
+          der(x) = r;
+        end M;)",
+                                {"r", "x"});
+    ASSERT_RAN(run);
+    EXPECT_NEAR(run.at(0.4, "r"), -1, 1e-12);
+    EXPECT_NEAR(run.last("x"), -1 - 0.5 - 1, 1e-6);
+}
+
 }  // namespace
 }  // namespace analogon
