@@ -236,6 +236,38 @@ TEST(Mutations, EndInASystemOrInMessages) {
     campaign.finish();
 }
 
+/// The files of the Modelica Standard Library in a directory of MODELICAPATH that are not very long.
+std::vector<Seed> standardSeeds() {
+    constexpr std::uintmax_t longest = 60'000;
+    const char* const path = std::getenv("MODELICAPATH");
+    std::vector<Seed> found;
+    if (!path || !fs::exists(fs::path(path) / "Modelica" / "package.mo")) return found;
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(path) / "Modelica")) {
+        if (entry.path().extension() != ".mo" || entry.file_size() > longest) continue;
+        std::ifstream file(entry.path(), std::ios::binary);
+        found.push_back({entry.path(), std::string(std::istreambuf_iterator<char>(file), {})});
+    }
+    std::sort(found.begin(), found.end(), [](const Seed& a, const Seed& b) { return a.path < b.path; });
+    return found;
+}
+
+TEST(Mutations, OfTheStandardLibraryEndInASystemOrInMessages) {
+    const std::vector<Seed> all = standardSeeds();
+    if (all.empty()) GTEST_SKIP() << "MODELICAPATH names no directory with the Modelica Standard Library";
+    const Outcome<Library> builtIn = builtInLibrary();
+    ASSERT_TRUE(builtIn) << format(builtIn.diagnostics());
+    const Library library = builtIn->withDirectories({std::getenv("MODELICAPATH")});
+    const unsigned first = numberFrom("ANALOGON_MUTATION_FIRST", 0), count = numberFrom("ANALOGON_MUTATIONS", 400);
+    Campaign campaign;
+    for (unsigned i = first; i < first + count; ++i) {
+        SCOPED_TRACE(i);
+        const Seed& seed = all[i * 7919ull % all.size()];
+        campaign.run(library, seed, Mutator(i)(seed.text));
+        if (HasFatalFailure() || HasNonfatalFailure()) break;
+    }
+    campaign.finish();
+}
+
 /// The same for texts that another program has changed: all .mo files of the folder ANALOGON_MUTATION_FOLDER.
 TEST(Mutations, MadeElsewhereEndInASystemOrInMessages) {
     const char* folder = std::getenv("ANALOGON_MUTATION_FOLDER");

@@ -6,7 +6,7 @@ namespace analogon::tdms {
 
 namespace {
 
-constexpr double raw = 4294967295.0;  // as an input source: the values in the file
+constexpr double rawValues = 4294967295.0;  // as an input source: the values in the file
 constexpr int mostScales = 32;
 constexpr int mostNumbers = 10000;
 
@@ -48,7 +48,7 @@ Scaling::Scaling(const Object& channel) {
     if (!count || !(*count >= 1) || *count > mostScales || word(channel, "NI_Scaling_Status") == "scaled") return;
     double scale = *count - 1;  // the last one gives the quantity; each names the one it takes its values from
     // the raw values of DAQmx stand for a scale of their own
-    while (scale != raw && !(channel.isDaqMx && scale == channel.scaleId)) {
+    while (scale != rawValues && !(channel.isDaqMx && scale == channel.scaleId)) {
         Step step;
         const bool isKnown = scale >= 0 && scale < *count && steps_.size() < mostScales;
         const auto index = isKnown ? static_cast<int>(scale) : -1;
@@ -67,7 +67,7 @@ bool Scaling::readStep(const Object& channel, int scale, Step& step, double& sou
     const std::string prefix = "NI_Scale[" + std::to_string(scale) + "]_";
     const std::string type = word(channel, prefix + "Scale_Type");
     const double* from = number(channel, prefix + type + "_Input_Source");
-    source = from ? *from : raw;
+    source = from ? *from : rawValues;
     if (type == "Linear") {
         const double* slope = number(channel, prefix + "Linear_Slope");
         const double* intercept = number(channel, prefix + "Linear_Y_Intercept");
