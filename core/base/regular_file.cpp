@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cerrno>
 
-#include "core/base/file_handle.hpp"
-
 namespace analogon {
 
 namespace {
@@ -56,6 +54,13 @@ Outcome<std::string> readRegularFile(const fs::path& file, std::uint64_t largest
     }
     bytes.resize(count);
     return bytes;
+}
+
+Outcome<OpenFile> openRegularFile(const fs::path& file) {
+    struct stat status {};
+    Outcome<FileHandle> handle = openRegular(file, status);
+    if (!handle) return handle.diagnostics();
+    return OpenFile{std::move(*handle), static_cast<std::uint64_t>(status.st_size)};
 }
 
 Outcome<Done> checkRegularFile(const fs::path& file) {

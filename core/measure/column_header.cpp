@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "core/base/unit.hpp"
 #include "core/measure/csv_dialect.hpp"
@@ -70,6 +71,11 @@ ColumnHeader readColumnHeader(std::string_view text) {
         if (open != std::string_view::npos && open > 0)
             return make(text.substr(0, open), text.substr(open + 1, text.size() - open - 2));
     }
+    for (const auto& [opening, closing] : {std::pair{'{', '}'}, {'<', '>'}})
+        if (const std::size_t open = text.rfind(opening);
+            text.ends_with(closing) && open != std::string_view::npos && open > 0)
+            if (const std::string_view unit = text.substr(open + 1, text.size() - open - 2); isUnit(unit))
+                return make(text.substr(0, open), unit);
     if (text.ends_with(')')) {
         // The outermost pair, so that W/(m2.K) in brackets stays whole.
         int depth = 0;

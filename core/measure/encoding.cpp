@@ -81,26 +81,49 @@ constexpr std::array<std::uint16_t, 32> windowsLetters{0x20AC, 0x81,   0x201A, 0
 
 bool isWideText(std::string_view bytes) { return wideOf(bytes) != Wide::No; }
 
-std::optional<std::string> decodeText(std::string_view bytes, std::string_view encoding) {
+Encoding encodingOf(std::string_view head) {
+    const Wide wide = wideOf(head);
+    if (wide == Wide::No) return Encoding::AsIs;
+    return wide == Wide::BigEndian ? Encoding::Utf16BigEndian : Encoding::Utf16LittleEndian;
+}
+
+std::optional<Encoding> encodingNamed(std::string_view encoding) {
     std::string name;
     for (const char c : inLowerCase(encoding))
         if (c != '-' && c != '_' && c != ' ') name.push_back(c);
-    if (name == "utf16le") return utf16ToUtf8(bytes.starts_with("\xFF\xFE") ? bytes.substr(2) : bytes, false);
-    if (name == "utf16be") return utf16ToUtf8(bytes.starts_with("\xFE\xFF") ? bytes.substr(2) : bytes, true);
-    if (name == "utf16") return decodeText(bytes);
-    if (name == "utf8") return std::string(bytes.starts_with("\xEF\xBB\xBF") ? bytes.substr(3) : bytes);
+    if (name == "utf16le") return Encoding::Utf16LittleEndian;
+    if (name == "utf16be") return Encoding::Utf16BigEndian;
+    if (name == "utf16") return Encoding::Found;
+    if (name == "utf8") return Encoding::AsIs;
     if (name == "windows1252" || name == "cp1252" || name == "latin1" || name == "iso88591" || name == "ascii")
-        return latin1ToUtf8(bytes);
+        return Encoding::Windows1252;
     return std::nullopt;
 }
 
+std::size_t markLength(std::string_view head, Encoding encoding) {
+    const auto lengthOf = [&](std::string_view mark) { return head.starts_with(mark) ? mark.size() : 0; };
+    if (encoding == Encoding::AsIs) return lengthOf("\xEF\xBB\xBF");
+    if (encoding == Encoding::Utf16LittleEndian) return lengthOf("\xFF\xFE");
+    return encoding == Encoding::Utf16BigEndian ? lengthOf("\xFE\xFF") : 0;
+}
+
+std::string decodeText(std::string_view part, Encoding encoding) {
+    if (encoding == Encoding::Found) encoding = encodingOf(part);
+    if (encoding == Encoding::AsIs) return std::string(part);
+    if (encoding == Encoding::Windows1252) return latin1ToUtf8(part);
+    return utf16ToUtf8(part, encoding == Encoding::Utf16BigEndian);
+}
+
+std::optional<std::string> decodeText(std::string_view bytes, std::string_view name) {
+    std::optional<Encoding> encoding = encodingNamed(name);
+    if (encoding == Encoding::Found) encoding = encodingOf(bytes);
+    if (!encoding) return std::nullopt;
+    return decodeText(bytes.substr(markLength(bytes, *encoding)), *encoding);
+}
+
 std::string decodeText(std::string_view bytes) {
-    if (bytes.substr(0, 3) == "\xEF\xBB\xBF") return std::string(bytes.substr(3));
-    if (const Wide wide = wideOf(bytes); wide != Wide::No) {
-        const bool isMarked = wideOf(bytes.substr(0, 2)) != Wide::No;
-        return utf16ToUtf8(bytes.substr(isMarked ? 2 : 0), wide == Wide::BigEndian);
-    }
-    return std::string(bytes);
+    const Encoding encoding = encodingOf(bytes);
+    return decodeText(bytes.substr(markLength(bytes, encoding)), encoding);
 }
 
 bool isUtf8(std::string_view text) {

@@ -16,6 +16,21 @@ bool isWideText(std::string_view bytes);
 /// By the name of an encoding ("utf-16le", "windows-1252" …); none: it is not known here.
 std::optional<std::string> decodeText(std::string_view bytes, std::string_view encoding);
 
+enum class Encoding {
+    AsIs,  // UTF-8, or nobody knows
+    Utf16LittleEndian,
+    Utf16BigEndian,
+    Windows1252,
+    Found  // by its bytes
+};
+std::optional<Encoding> encodingNamed(std::string_view name);
+/// By the first bytes of a file.
+Encoding encodingOf(std::string_view head);
+/// Bytes of the mark in front of a text that is written so.
+std::size_t markLength(std::string_view head, Encoding encoding);
+/// A part of a text, without its mark.
+std::string decodeText(std::string_view part, Encoding encoding);
+
 bool isUtf8(std::string_view text);
 
 /// Every byte is a character of Windows-1252, which is ISO 8859-1 with marks and letters in place of control characters

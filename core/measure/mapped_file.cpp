@@ -39,6 +39,10 @@ Outcome<std::shared_ptr<const MappedFile>> MappedFile::open(const std::filesyste
     return std::shared_ptr<const MappedFile>(new MappedFile(ByteView(static_cast<const std::uint8_t*>(memory), size)));
 }
 
+void MappedFile::letGo() const {
+    if (!bytes_.empty()) madvise(const_cast<std::uint8_t*>(bytes_.data()), bytes_.size(), MADV_DONTNEED);
+}
+
 MappedFile::~MappedFile() {
     if (!bytes_.empty()) munmap(const_cast<std::uint8_t*>(bytes_.data()), bytes_.size());
 }

@@ -17,6 +17,10 @@ public:
     MappedFile& operator=(const MappedFile&) = delete;
 
     ByteView bytes() const { return bytes_; }
+    /// The memory of what was looked at is given back; whatever is looked at again is found again. For whoever goes
+    /// through more of a file than is kept of it: each `letGoBytes`.
+    void letGo() const;
+    static constexpr std::size_t letGoBytes = std::size_t{8} << 20;
 
 private:
     explicit MappedFile(ByteView bytes) : bytes_(bytes) {}

@@ -17,13 +17,15 @@ struct Reading {
 /// What a text does not tell and nothing in it decides.
 struct Question {
     enum class Kind {
-        Choice,   // one of the readings
-        Interval  // the time between two rows, which is typed: there are no readings
+        Choice,    // one of the readings
+        Interval,  // the time between two rows, which is typed: there are no readings
+        Unit       // what a unit means: one of the readings, or one that is typed
     };
     Kind kind{Kind::Choice};
     Text text;
     int line{};  // where it shows first; 0: in every row
     std::vector<Reading> readings{};
+    std::string unit{};  // that is asked about, as the file has it
 };
 
 using Questions = std::vector<Question>;

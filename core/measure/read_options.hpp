@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,8 +11,8 @@ namespace analogon {
 /// The marks with which a text may be written.
 inline constexpr std::string_view knownSeparators = ",;|\t ", knownDecimals = ".,", knownThousands = ".,' ";
 
-/// How a text file is written, as it was told ("read" of an experiment); everything not told is found out from the
-/// file. The names are those of the keys in the study.
+/// How a file is written, as it was told ("read" of an experiment), nearly all of it of texts; everything not told is
+/// found out from the file. The names are those of the keys in the study.
 struct ReadOptions {
     std::optional<char> separator;      // , ; | tab, or a blank
     std::optional<char> decimal;        // . or ,
@@ -23,6 +24,7 @@ struct ReadOptions {
                              // "1 kHz"; or the unit of a time that has none: "d"
     std::string timeZone;    // of stamps that have none: "Europe/Berlin", "+02:00", "UTC"
     std::string encoding;    // "utf-8", "utf-16le", "utf-16be", "windows-1252", "iso-8859-1"
+    std::map<std::string, std::string> unitNames{};  // what units of the file that nobody knows mean; of any file
 
     friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };

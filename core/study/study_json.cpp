@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/base/json_limits.hpp"
+#include "core/base/unit.hpp"
 #include "core/base/visible.hpp"
 #include "core/measure/read_options.hpp"
 #include "core/study/json_fault.hpp"
@@ -298,16 +299,28 @@ private:
         if (const Node format = node.member("time_format")) options.timeFormat = text(format);
         if (const Node zone = node.member("time_zone")) options.timeZone = text(zone);
         if (const Node encoding = node.member("encoding")) options.encoding = text(encoding);
+        if (const Node names = node.member("unit_names")) readUnitNames(names, options);
         if (options.decimal && (options.decimal == options.separator || options.decimal == options.thousands))
             fault(node.member("decimal"),
                   phrase("{}: one mark cannot be that of the decimals and another one too", path(node)));
         Json unknown;
-        keepUnknown(
-            node,
-            {"separator", "decimal", "thousands", "skip", "header", "units", "time_format", "time_zone", "encoding"},
-            phrase("\"read\""), unknown);
+        keepUnknown(node,
+                    {"separator", "decimal", "thousands", "skip", "header", "units", "time_format", "time_zone",
+                     "encoding", "unit_names"},
+                    phrase("\"read\""), unknown);
         if (!unknown.empty()) kept["read"] = unknown;
         return options;
+    }
+
+    void readUnitNames(const Node& node, ReadOptions& options) {
+        if (!isObject(node, phrase("an object {{unit of the file: unit}}, as {{\"kpa\": \"kPa\"}}"))) return;
+        for (const auto& [name, value] : node.value->items()) {
+            const Node unit = node.member(name);
+            const std::string meant = text(unit);
+            if (value.is_string() && (meant.empty() || !isKnownUnit(meant)))
+                fault(unit, phrase("the unit \"{}\" is not known", meant), phrase("\"1\" is a number without a unit."));
+            options.unitNames[name] = meant;
+        }
     }
 
     std::optional<char> readMark(const Node& node, std::string_view known, const Text& what) {

@@ -43,6 +43,7 @@ Json readJson(const ReadOptions& read) {
     if (!read.timeFormat.empty()) json["time_format"] = read.timeFormat;
     if (!read.timeZone.empty()) json["time_zone"] = read.timeZone;
     if (!read.encoding.empty()) json["encoding"] = read.encoding;
+    for (const auto& [name, unit] : read.unitNames) json["unit_names"][name] = unit;
     return json;
 }
 

@@ -977,6 +977,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
 <context>
     <name>ImportPanel</name>
     <message>
+        <source>%1 rows, %2 columns; a question is open.</source>
+        <translation>%1 Zeilen, %2 Spalten; eine Frage ist offen.</translation>
+    </message>
+    <message>
         <source>Choose channels …</source>
         <translation>Kanäle wählen …</translation>
     </message>
@@ -5311,6 +5315,18 @@ Relativer Standardfehler %1 %</translation>
 <context>
     <name>QuestionCard</name>
     <message>
+        <source>another unit</source>
+        <translation>andere Einheit</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Take this unit</source>
+        <translation>Diese Einheit nehmen</translation>
+    </message>
+    <message>
         <source>The rows under each reading</source>
         <translation>Die Zeilen bei jeder Lesart</translation>
     </message>
@@ -6171,6 +6187,74 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
 </context>
 <context>
     <name>core</name>
+    <message>
+        <source>the file became shorter while it was read</source>
+        <translation>die Datei wurde kürzer, während sie gelesen wurde</translation>
+    </message>
+    <message>
+        <source>no unit, numbers alone</source>
+        <translation>keine Einheit, nur Zahlen</translation>
+    </message>
+    <message>
+        <source>the unit '{}' of {} is not known here</source>
+        <translation>die Einheit „{}“ von {} ist hier nicht bekannt</translation>
+    </message>
+    <message>
+        <source>: did you mean '{}'?</source>
+        <translation>: Meinten Sie „{}“?</translation>
+    </message>
+    <message>
+        <source>: did you mean '{}' or '{}'?</source>
+        <translation>: Meinten Sie „{}“ oder „{}“?</translation>
+    </message>
+    <message>
+        <source>Say it in the study: &quot;read&quot;: {{&quot;unit_names&quot;: {{&quot;{}&quot;: &quot;{}&quot;}}}}.</source>
+        <translation>Sagen Sie es in der Studie: &quot;read&quot;: {{&quot;unit_names&quot;: {{&quot;{}&quot;: &quot;{}&quot;}}}}.</translation>
+    </message>
+    <message>
+        <source>Say it at the import, where it is asked: '{}' is '{}'.</source>
+        <translation>Sagen Sie es beim Import, wo danach gefragt wird: „{}“ ist „{}“.</translation>
+    </message>
+    <message>
+        <source>Which unit is '{}', of {}?</source>
+        <translation>Welche Einheit ist „{}“, bei {}?</translation>
+    </message>
+    <message>
+        <source>{} and {} more</source>
+        <translation>{} und {} weiteren</translation>
+    </message>
+    <message>
+        <source>an object {{unit of the file: unit}}, as {{&quot;kpa&quot;: &quot;kPa&quot;}}</source>
+        <translation>ein Objekt {{Einheit der Datei: Einheit}}, wie {{&quot;kpa&quot;: &quot;kPa&quot;}}</translation>
+    </message>
+    <message>
+        <source>&quot;1&quot; is a number without a unit.</source>
+        <translation>&quot;1&quot; ist eine Zahl ohne Einheit.</translation>
+    </message>
+    <message>
+        <source>column '{}' is read as text: '{}' is no number</source>
+        <translation>Spalte „{}“ wird als Text gelesen: „{}“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>the time in column '{}' falls from row to row: the newest stands first, and the rows are taken from the last one on</source>
+        <translation>die Zeit in Spalte „{}“ fällt von Zeile zu Zeile: Die neueste steht vorn, und die Zeilen werden von der letzten an genommen</translation>
+    </message>
+    <message>
+        <source>the numbers in column '{}' begin at {:.9g} and are taken for days: no unit is given</source>
+        <translation>die Zahlen in Spalte „{}“ beginnen bei {:.9g} und werden als Tage gelesen: Es ist keine Einheit angegeben</translation>
+    </message>
+    <message>
+        <source>the time in column '{}' begins at {:.9g} and has no unit: it is taken in seconds, and may be in days</source>
+        <translation>die Zeit in Spalte „{}“ beginnt bei {:.9g} und hat keine Einheit: Sie wird in Sekunden genommen, und es können Tage sein</translation>
+    </message>
+    <message>
+        <source>this is an HDF5 file that MATLAB did not write</source>
+        <translation>dies ist eine HDF5-Datei, die nicht MATLAB geschrieben hat</translation>
+    </message>
+    <message>
+        <source>Export the recording as MDF, as a MATLAB file or as CSV.</source>
+        <translation>Exportieren Sie die Messung als MDF, als MATLAB-Datei oder als CSV.</translation>
+    </message>
     <message>
         <source>'{}' cannot be made of these arguments</source>
         <translation>„{}“ lässt sich aus diesen Argumenten nicht bilden</translation>

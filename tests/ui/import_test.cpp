@@ -1,3 +1,6 @@
+#include <quazip/quazip.h>
+#include <quazip/quazipfile.h>
+
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QLabel>
@@ -11,6 +14,7 @@
 #include <ctime>
 
 #include "core/study/recorded.hpp"
+#include "tests/core/measure/mdf/mdf4_writer.hpp"
 #include "tests/ui/panels_fixture.hpp"
 #include "ui/measurement/channel_browser.hpp"
 #include "ui/measurement/compare_page.hpp"
@@ -91,15 +95,65 @@ TEST_F(Import, OneQuestionFollowsAnother) {
     EXPECT_EQ(import()->fields()->options().timeFormat, "%m/%d/%Y %H:%M:%S");
 }
 
+TEST_F(Import, AsksWhichUnitIsMeantAndKeepsTheAnswer) {
+    openLambda();
+    window.open(write("p.csv", "t [s];p [mpa];T [degC]\n0;1.5;20\n1;2.5;21\n2;2.5;22\n3;2.5;23\n"));
+    ASSERT_TRUE(asks());
+    EXPECT_TRUE(import()->acceptButton()->isEnabled()) << "it may stay open";
+    ASSERT_EQ(question()->buttons().size(), 4) << "two readings, none, and what is typed";
+    EXPECT_EQ(question()->buttons()[0]->text(), "MPa");
+    EXPECT_EQ(question()->buttons()[1]->text(), "mPa");
+    const QTableWidget* rows = question()->table();
+    ASSERT_EQ(rows->rowCount(), 4);
+    EXPECT_EQ(rows->item(0, 1)->text(), "0;1.5;20") << "as it stands in the file";
+    EXPECT_EQ(rows->item(0, 2)->text(), "1.5 MPa");
+    EXPECT_EQ(rows->item(0, 3)->text(), "1.5 mPa");
+    EXPECT_EQ(rows->item(0, 4)->text(), "1.5");
+    keepPicture("import-question-unit");
+    QTest::mouseClick(question()->buttons()[0], Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !question()->isVisible(); }, 20000));
+    ASSERT_TRUE(isReady());
+    QTest::mouseClick(import()->acceptButton(), Qt::LeftButton);
+    const StudyExperiment& taken = document().study().experiments.back();
+    EXPECT_EQ(taken.read.unitNames.at("mpa"), "MPa");
+    EXPECT_EQ(fileTable(document().study().tables, taken)->find("p")->unit, "MPa");
+}
+
+TEST_F(Import, TakesAnotherUnitThatIsTypedForAFileOfAnyKind) {
+    openLambda();
+    const QString file = directory.filePath("p.mf4");
+    test::Mdf4Writer writer;
+    test::Bytes data;
+    for (int i = 0; i < 5; ++i) data.put(0.5 * i).put(10.0 + i);
+    const std::uint64_t group =
+        writer.simple("", {{"time", "s", 2}, {"p", "druck", 0, 4, 64, 8}}, 5, 16, writer.block("DT", {}, data.text));
+    writer.finish(group, file.toStdString());
+    window.open(file);
+    ASSERT_TRUE(asks());
+    EXPECT_EQ(question()->table()->item(0, 1)->text(), "10 druck");
+    QPushButton* const take = question()->buttons().back();
+    question()->typedField()->setText("kpa");
+    EXPECT_FALSE(take->isEnabled()) << "that is none either";
+    question()->typedField()->setText("kPa");
+    ASSERT_TRUE(take->isEnabled());
+    QTest::mouseClick(take, Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !question()->isVisible(); }, 20000));
+    ASSERT_TRUE(isReady());
+    QTest::mouseClick(import()->acceptButton(), Qt::LeftButton);
+    const StudyExperiment& taken = document().study().experiments.back();
+    EXPECT_EQ(taken.read.unitNames.at("druck"), "kPa");
+    EXPECT_EQ(fileTable(document().study().tables, taken)->find("p")->unit, "kPa");
+}
+
 TEST_F(Import, RowsWithoutATimeAreNotTakenBeforeItIsTold) {
     openLambda();
     const QString file = write("rows.csv", "u [V];i [A]\n1,5;2\n1,6;3\n1,7;1\n");
     window.open(file);
     ASSERT_TRUE(asks());
     EXPECT_FALSE(import()->acceptButton()->isEnabled()) << "the first column is no time because it is the first";
-    ASSERT_TRUE(question()->intervalField()->isVisible());
+    ASSERT_TRUE(question()->typedField()->isVisible());
     keepPicture("import-question-rate");
-    question()->intervalField()->setText("0,5 ms");
+    question()->typedField()->setText("0,5 ms");
     QTest::mouseClick(question()->buttons()[0], Qt::LeftButton);
     ASSERT_TRUE(isReady());
     EXPECT_EQ(import()->timeBox()->currentText(), "time");
@@ -240,6 +294,72 @@ TEST_F(Import, ALongTextIsReadBesideTheWindow) {
     QTest::mouseClick(import()->acceptButton(), Qt::LeftButton);
     QTest::qWait(500);
     EXPECT_LT(turn.milliseconds(), 60) << "while it becomes part of the study";
+}
+
+TEST_F(Import, ALongBinaryFileIsReadBesideTheWindow) {
+    openLambda();
+    constexpr int rows = 3'000'000;
+    const QString file = directory.filePath("long.mf4");
+    test::Mdf4Writer writer;
+    test::Bytes data;
+    data.text.reserve(rows * 14);
+    for (int i = 0; i < rows; ++i)
+        data.put(1e-3 * i).put(static_cast<float>(i % 9973)).put(static_cast<std::int16_t>(i % 300));
+    const std::uint64_t group = writer.simple("", {{"t", "s", 2}, {"u", "V", 0, 4, 32, 8}, {"i", "A", 0, 2, 16, 12}},
+                                              rows, 14, writer.block("DT", {}, data.text));
+    writer.finish(group, file.toStdString());
+    LongestTurn turn;
+    QTest::qWait(200);
+    turn.forget();
+    window.open(file);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return import()->acceptButton()->isEnabled(); }, 120000));
+    EXPECT_LT(turn.milliseconds(), 20) << "while the file is read and shown";
+    RecordProperty("longest_turn_us", static_cast<int>(1e3 * turn.milliseconds()));
+    QTest::mouseClick(import()->acceptButton(), Qt::LeftButton);
+    const StudyExperiment& taken = document().study().experiments.back();
+    EXPECT_EQ(fileTable(document().study().tables, taken)->rows(), static_cast<std::size_t>(rows));
+}
+
+TEST_F(Import, ALongWorkbookIsReadBesideTheWindow) {
+    openLambda();
+    constexpr int rows = 60'000;
+    QByteArray sheet = "<worksheet><sheetData>";
+    const auto word = [](const char* cell, const char* text) {
+        return QByteArray("<c r=\"") + cell + "\" t=\"inlineStr\"><is><t>" + text + "</t></is></c>";
+    };
+    sheet += "<row r=\"1\">" + word("A1", "t [s]") + word("B1", "u [V]") + word("C1", "i [A]") + "</row>";
+    for (int i = 2; i < rows + 2; ++i) {
+        const QByteArray row = QByteArray::number(i);
+        sheet += "<row r=\"" + row + "\">";
+        for (const char* const column : {"A", "B", "C"})
+            sheet += QByteArray("<c r=\"") + column + row + "\"><v>" + QByteArray::number(0.001 * i) + "</v></c>";
+        sheet += "</row>";
+    }
+    const QString file = directory.filePath("long.xlsx");
+    QuaZip archive(file);
+    ASSERT_TRUE(archive.open(QuaZip::mdCreate));
+    for (const auto& [name, content] : std::initializer_list<std::pair<const char*, QByteArray>>{
+             {"xl/workbook.xml",
+              "<workbook xmlns:r=\"r\"><sheets><sheet name=\"Run\" sheetId=\"1\" r:id=\"rId1\"/></sheets></workbook>"},
+             {"xl/_rels/workbook.xml.rels",
+              "<Relationships><Relationship Id=\"rId1\" Target=\"worksheets/sheet1.xml\"/></Relationships>"},
+             {"xl/worksheets/sheet1.xml", sheet + "</sheetData></worksheet>"}}) {
+        QuaZipFile part(&archive);
+        ASSERT_TRUE(part.open(QIODevice::WriteOnly, QuaZipNewInfo(name)));
+        part.write(content);
+        part.close();
+    }
+    archive.close();
+    LongestTurn turn;
+    QTest::qWait(200);
+    turn.forget();
+    window.open(file);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return import()->acceptButton()->isEnabled(); }, 120000));
+    EXPECT_LT(turn.milliseconds(), 20) << "while the file is read and shown";
+    RecordProperty("longest_turn_us", static_cast<int>(1e3 * turn.milliseconds()));
+    QTest::mouseClick(import()->acceptButton(), Qt::LeftButton);
+    const StudyExperiment& taken = document().study().experiments.back();
+    EXPECT_EQ(fileTable(document().study().tables, taken)->rows(), static_cast<std::size_t>(rows));
 }
 
 // ---- the same quantity in several recordings ----

@@ -154,11 +154,7 @@ void ImportPanel::connectFields() {
         chosen_.clear();
         readText();
     });
-    connect(question_, &QuestionCard::answered, this, [this](const ReadOptions& options) {
-        fields_->show(options);
-        chosen_.clear();
-        readText();
-    });
+    connect(question_, &QuestionCard::answered, this, &ImportPanel::takeAnswer);
     connect(time_, &QComboBox::activated, this, [this] {
         if (!recording_ && isText_) question_->hide();
         allowAccept();
@@ -197,6 +193,18 @@ void ImportPanel::connectReading() {
             readValues();
     });
     connect(choose_, &QPushButton::clicked, this, &ImportPanel::browse);
+}
+
+/// A unit changes nothing about which channels there are.
+void ImportPanel::takeAnswer(const ReadOptions& options) {
+    const bool isUnit = question_->kind() == Question::Kind::Unit;
+    options_ = options;
+    fields_->show(options);
+    if (!isUnit) chosen_.clear();
+    if (isText_)
+        readText();
+    else
+        readValues();
 }
 
 void ImportPanel::browse() {
@@ -239,6 +247,7 @@ void ImportPanel::show(const QString& path) {
 /// A file of many channels is looked into before any of them is read.
 void ImportPanel::read() {
     chosen_.clear();
+    options_ = {};
     choose_->hide();
     question_->hide();
     shown_->show();
@@ -253,7 +262,7 @@ void ImportPanel::read() {
             if (*isText) return Look{true, nullptr, previewOfText(path, {}, {}, progress)};
             if (Outcome<MeasurementFile> file = openRecording(path); file && hasMany(*file))
                 return Look{false, std::make_shared<const MeasurementFile>(std::move(*file)), {Diagnostic{}}};
-            return Look{false, nullptr, previewOf(path, {}, progress)};
+            return Look{false, nullptr, previewOf(path, {}, {}, progress)};
         },
         [this](Look look) { showLook(std::move(look)); });
 }
@@ -274,8 +283,8 @@ void ImportPanel::readValues() {
     problems_->setText(tr("Reading …"));
     reader_.start<Preview>(
         tr("Reading"),
-        [path = path_.toStdString(), chosen = chosen_](const Progress& progress) {
-            return previewOf(path, chosen, progress);
+        [path = path_.toStdString(), options = options_, chosen = chosen_](const Progress& progress) {
+            return previewOf(path, options, chosen, progress);
         },
         [this](Preview preview) { showPreview(std::move(preview)); });
 }
@@ -340,7 +349,8 @@ void ImportPanel::showPreview(Preview preview) {
     tellProblems(isAsked ? Diagnostics{} : problems);
     shown_->setVisible(!isAsked);
     if (problems.empty() && table_)
-        problems_->setText(told_ = tr("%1 rows, %2 columns; nothing is wrong with it.")
+        problems_->setText(told_ = (preview.asked.empty() ? tr("%1 rows, %2 columns; nothing is wrong with it.")
+                                                          : tr("%1 rows, %2 columns; a question is open."))
                                        .arg(style::countText(table_->rows()))
                                        .arg(table_->columns.size()));
     TableModel::Problems byLine;
@@ -382,7 +392,7 @@ void ImportPanel::showTimes(const std::string& proposed) {
 /// Nothing is taken for the time that nobody calls it.
 void ImportPanel::allowAccept() {
     accept_->setEnabled(table_ && table_->columns.size() > 1 && time_->currentIndex() >= 0);
-    if (table_ && time_->currentIndex() < 0 && question_->isHidden())
+    if (table_ && time_->currentIndex() < 0 && (question_->isHidden() || question_->kind() == Question::Kind::Unit))
         problems_->setText(told_ = tr("No column is a time by its name or unit: choose the one that is."));
 }
 

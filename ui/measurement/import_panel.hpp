@@ -77,7 +77,8 @@ private:
     };
     static Preview previewOfText(const std::string& path, const ReadOptions& options,
                                  const std::set<std::string>& chosen, const Progress& progress);
-    static Preview previewOf(const std::string& path, const std::set<std::string>& chosen, const Progress& progress);
+    static Preview previewOf(const std::string& path, const ReadOptions& options, const std::set<std::string>& chosen,
+                             const Progress& progress);
     static Outcome<std::shared_ptr<const Table>> onOneRaster(const std::shared_ptr<const Table>& file,
                                                              const std::set<std::string>& chosen,
                                                              const Diagnostics& told);
@@ -95,6 +96,7 @@ private:
     static Preview complete(Preview preview);
     void showTimes(const std::string& proposed);
     void ask(const Preview& preview);
+    void takeAnswer(const ReadOptions& options);
     void tellProblems(const Diagnostics& problems);
     void allowAccept();
     void accept();

@@ -1,10 +1,14 @@
 // What ImportPanel reads beside the window.
+#include <fmt/format.h>
+
 #include <QFile>
 #include <QFileInfo>
+#include <cmath>
 #include <set>
 
 #include "core/measure/all_channels.hpp"
 #include "core/measure/open/read_table.hpp"
+#include "core/measure/unknown_unit.hpp"
 #include "ui/measurement/import_panel.hpp"
 #include "ui/measurement/mapping.hpp"
 
@@ -30,6 +34,27 @@ std::vector<FileLine> linesOf(const QString& path, const Diagnostics& problems) 
     return lines;
 }
 
+/// The first values in a unit that is asked about, under each reading of it.
+QuestionRows rowsIn(const Table& table, const Question& question) {
+    constexpr std::size_t most = 5;
+    QuestionRows rows;
+    const auto isAsked = [&](const Column& c) { return unknownUnitOf(c.name, c.unit) == question.unit; };
+    const auto column = std::find_if(table.columns.begin(), table.columns.end(), isAsked);
+    if (column == table.columns.end()) return rows;
+    rows.column = column->name;
+    for (std::size_t i = 0; i < column->values.size() && rows.rows.size() < most; ++i) {
+        const double value = column->values[i];
+        if (!std::isfinite(value)) continue;
+        QuestionRow row{static_cast<int>(i) + 1, fmt::format("{:.10g} {}", value, question.unit), {}};
+        for (const Reading& reading : question.readings) {
+            const std::string& unit = reading.options.unitNames.at(question.unit);
+            row.values.push_back(unit == "1" ? phrase("{:.10g}", value) : phrase("{:.10g} {}", value, unit));
+        }
+        rows.rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
 }  // namespace
 
 ImportPanel::Preview ImportPanel::previewOfText(const std::string& path, const ReadOptions& options,
@@ -49,12 +74,17 @@ ImportPanel::Preview ImportPanel::previewOfText(const std::string& path, const R
     return complete(std::move(preview));
 }
 
-ImportPanel::Preview ImportPanel::previewOf(const std::string& path, const std::set<std::string>& chosen,
-                                            const Progress& progress) {
-    Outcome<Table> read = readTable(path, {}, chosen, progress, chosen.empty() ? valuesKept : 0);
+ImportPanel::Preview ImportPanel::previewOf(const std::string& path, const ReadOptions& options,
+                                            const std::set<std::string>& chosen, const Progress& progress) {
+    Outcome<Table> read = readTable(path, options, chosen, progress, chosen.empty() ? valuesKept : 0);
     if (!read) return {read.diagnostics()};
     const auto file = std::make_shared<const Table>(std::move(*read));
-    return complete({onOneRaster(file, {}, read.diagnostics()), {}, file});
+    Preview preview{onOneRaster(file, {}, read.diagnostics()), {}, file, options};
+    if (preview.table)
+        for (const UnknownUnit& unknown : unknownUnits(**preview.table))
+            preview.asked.push_back(askedUnit(unknown, options));
+    if (!preview.asked.empty()) preview.rows = rowsIn(**preview.table, preview.asked.front());
+    return complete(std::move(preview));
 }
 
 Outcome<std::shared_ptr<const Table>> ImportPanel::onOneRaster(const std::shared_ptr<const Table>& file,

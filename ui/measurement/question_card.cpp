@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/base/unit.hpp"
 #include "ui/measurement/read_fields.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
@@ -34,8 +35,9 @@ QuestionCard::QuestionCard(QWidget* parent)
       text_(new QLabel(this)),
       note_(new QLabel(this)),
       table_(new QTableWidget(this)),
-      interval_(new QLineEdit(this)),
-      answers_(new QHBoxLayout) {
+      typed_(new QLineEdit(this)),
+      answers_(new QHBoxLayout),
+      typedRow_(new QHBoxLayout) {
     setFrameShape(QFrame::StyledPanel);
     style::makeHeading(text_, 1.05);
     style::makeCaption(note_);
@@ -47,47 +49,61 @@ QuestionCard::QuestionCard(QWidget* parent)
     table_->setWordWrap(false);
     table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table_->setAccessibleName(tr("The rows under each reading"));
-    interval_->setPlaceholderText(tr("0.001 s, or 1 kHz"));
-    interval_->setAccessibleName(tr("Time between two rows"));
-    interval_->setMaximumWidth(200);
-    connect(interval_, &QLineEdit::returnPressed, this, &QuestionCard::takeInterval);
-    connect(interval_, &QLineEdit::textChanged, this, [this](const QString& text) {
-        if (!buttons_.isEmpty() && !interval_->isHidden())
-            buttons_.front()->setEnabled(typedInterval(text).has_value());
+    typed_->setMaximumWidth(200);
+    connect(typed_, &QLineEdit::returnPressed, this, &QuestionCard::takeTyped);
+    connect(typed_, &QLineEdit::textChanged, this, [this] {
+        if (take_) take_->setEnabled(typed().has_value());
     });
-    answers_->setSpacing(2 * style::unit);
+    for (QHBoxLayout* row : {answers_, typedRow_}) row->setSpacing(2 * style::unit);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(style::margin, style::margin, style::margin, style::margin);
     layout->setSpacing(2 * style::unit);
     layout->addWidget(text_);
     layout->addWidget(table_);
     layout->addLayout(answers_);
+    layout->addLayout(typedRow_);
     layout->addWidget(note_);
 }
 
 void QuestionCard::ask(const Question& question, const QuestionRows& rows, const ReadOptions& read) {
     read_ = read;
+    kind_ = question.kind;
+    unit_ = question.unit;
     text_->setText(inWords(question.text));
-    while (QLayoutItem* item = answers_->takeAt(0)) {
-        if (item->widget() && item->widget() != interval_) item->widget()->deleteLater();
-        delete item;
-    }
+    for (QHBoxLayout* row : {answers_, typedRow_}) clear(row);
     buttons_.clear();
-    const bool isInterval = question.kind == Question::Kind::Interval;
-    interval_->setVisible(isInterval);
-    table_->setVisible(!isInterval && !rows.rows.empty());
-    if (isInterval) {
-        interval_->clear();
-        answers_->addWidget(interval_);
-        addButton(tr("Take this time"), {});
-        buttons_.front()->setEnabled(false);
+    take_ = nullptr;
+    typed_->clear();
+    typed_->setVisible(kind_ != Question::Kind::Choice);
+    table_->setVisible(kind_ != Question::Kind::Interval && !rows.rows.empty());
+    if (kind_ != Question::Kind::Interval) fill(question, rows);
+    for (const Reading& reading : question.readings)
+        connect(addButton(inWords(reading.label), answers_), &QPushButton::clicked, this,
+                [this, options = reading.options] { Q_EMIT answered(options); });
+    if (kind_ == Question::Kind::Interval) {
+        addTyped(tr("0.001 s, or 1 kHz"), tr("Time between two rows"), tr("Take this time"));
         note_->setText(tr("Or choose the column that is the time above. The time is counted from the first row."));
     } else {
-        fill(question, rows);
-        for (const Reading& reading : question.readings) addButton(inWords(reading.label), reading.options);
+        if (kind_ == Question::Kind::Unit) addTyped(tr("another unit"), tr("Unit"), tr("Take this unit"));
         note_->setText(tr("The file does not tell. What you choose is kept with the study."));
     }
-    answers_->addStretch(1);
+    for (QHBoxLayout* row : {answers_, typedRow_}) row->addStretch(1);
+}
+
+void QuestionCard::clear(QHBoxLayout* row) {
+    while (QLayoutItem* item = row->takeAt(0)) {
+        if (item->widget() && item->widget() != typed_) item->widget()->deleteLater();
+        delete item;
+    }
+}
+
+void QuestionCard::addTyped(const QString& example, const QString& name, const QString& take) {
+    typed_->setPlaceholderText(example);
+    typed_->setAccessibleName(name);
+    typedRow_->addWidget(typed_);
+    take_ = addButton(take, typedRow_);
+    take_->setEnabled(false);
+    connect(take_, &QPushButton::clicked, this, &QuestionCard::takeTyped);
 }
 
 void QuestionCard::fill(const Question& question, const QuestionRows& rows) {
@@ -120,25 +136,30 @@ void QuestionCard::fill(const Question& question, const QuestionRows& rows) {
     table_->setFixedHeight(columns->height() + table_->verticalHeader()->length() + 2);
 }
 
-void QuestionCard::addButton(const QString& text, const ReadOptions& options) {
+QPushButton* QuestionCard::addButton(const QString& text, QHBoxLayout* row) {
     auto* button = new QPushButton(text, this);
-    answers_->addWidget(button);
-    const bool isInterval = !interval_->isHidden();
-    connect(button, &QPushButton::clicked, this, [this, options, isInterval] {
-        if (isInterval)
-            takeInterval();
-        else
-            Q_EMIT answered(options);
-    });
+    row->addWidget(button);
     buttons_ << button;
+    return button;
 }
 
-void QuestionCard::takeInterval() {
-    const std::optional<std::string> interval = typedInterval(interval_->text());
-    if (!interval) return;
+/// How the file is read by what is typed; none: it is no time, or no unit.
+std::optional<ReadOptions> QuestionCard::typed() const {
     ReadOptions options = read_;
-    options.timeFormat = *interval;
-    Q_EMIT answered(options);
+    if (kind_ == Question::Kind::Unit) {
+        const std::string unit = typed_->text().trimmed().toStdString();
+        if (unit.empty() || !isKnownUnit(unit)) return std::nullopt;
+        options.unitNames[unit_] = unit;
+    } else {
+        const std::optional<std::string> interval = typedInterval(typed_->text());
+        if (!interval) return std::nullopt;
+        options.timeFormat = *interval;
+    }
+    return options;
+}
+
+void QuestionCard::takeTyped() {
+    if (const std::optional<ReadOptions> options = typed()) Q_EMIT answered(*options);
 }
 
 }  // namespace analogon::ui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QFrame>
+#include <optional>
 
 #include "core/measure/text/question_rows.hpp"
 
@@ -22,8 +23,10 @@ public:
     /// `read`: how the file was read when this came up.
     void ask(const Question& question, const QuestionRows& rows, const ReadOptions& read);
     QTableWidget* table() const { return table_; }
-    QLineEdit* intervalField() const { return interval_; }
-    /// One for each reading.
+    /// Of what is typed: a time between two rows, or a unit.
+    QLineEdit* typedField() const { return typed_; }
+    Question::Kind kind() const { return kind_; }
+    /// One for each reading, and the last for what is typed.
     QList<QPushButton*> buttons() const { return buttons_; }
 
 Q_SIGNALS:
@@ -31,15 +34,21 @@ Q_SIGNALS:
 
 private:
     void fill(const Question& question, const QuestionRows& rows);
-    void addButton(const QString& text, const ReadOptions& options);
-    void takeInterval();
+    QPushButton* addButton(const QString& text, QHBoxLayout* row);
+    void clear(QHBoxLayout* row);
+    void addTyped(const QString& example, const QString& name, const QString& take);
+    std::optional<ReadOptions> typed() const;
+    void takeTyped();
 
     ReadOptions read_;
+    Question::Kind kind_{};
+    std::string unit_;  // that is asked about
     QLabel *text_, *note_;
     QTableWidget* table_;
-    QLineEdit* interval_;
-    QHBoxLayout* answers_;
+    QLineEdit* typed_;
+    QHBoxLayout *answers_, *typedRow_;
     QList<QPushButton*> buttons_;
+    QPushButton* take_{};  // what is typed
 };
 
 }  // namespace analogon::ui

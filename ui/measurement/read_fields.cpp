@@ -138,6 +138,7 @@ ReadOptions ReadFields::options() const {
     options.timeFormat = typedInterval(time).value_or(time.toStdString());
     options.timeZone = timeZone_->text().trimmed().toStdString();
     options.encoding = encoding_->currentData().toString().toStdString();
+    options.unitNames = unitNames_;
     return options;
 }
 
@@ -151,7 +152,9 @@ void ReadFields::show(const ReadOptions& options) {
     timeFormat_->setText(QString::fromStdString(options.timeFormat));
     timeZone_->setText(QString::fromStdString(options.timeZone));
     encoding_->setCurrentIndex(std::max(0, encoding_->findData(QString::fromStdString(options.encoding))));
+    unitNames_ = options.unitNames;
     ReadOptions rest = options;
+    rest.unitNames.clear();
     rest.separator = rest.decimal = std::nullopt;
     rest.hasUnitsRow.reset();
     if (rest != ReadOptions{}) more_->setChecked(true);  // what was told is in sight

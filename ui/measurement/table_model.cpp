@@ -74,8 +74,8 @@ void TableModel::addRowsAround(std::size_t tableRow) {
 
 int TableModel::showLine(int line) {
     if (table_) {
-        const auto at = std::lower_bound(table_->lines.begin(), table_->lines.end(), line);
-        if (at == table_->lines.end() || *at != line) return -1;
+        const auto at = std::find(table_->lines.begin(), table_->lines.end(), line);
+        if (at == table_->lines.end()) return -1;
         const auto row = static_cast<std::size_t>(at - table_->lines.begin());
         if (!std::binary_search(rows_.begin(), rows_.end(), row)) addRowsAround(row);
     }

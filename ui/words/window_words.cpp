@@ -132,6 +132,8 @@ const std::map<std::string_view, const char*>& windowSentences() {
          "{{\"time_zone\": \"Europe/Berlin\"}}; if it is not, \"time_zone\": \"UTC\".",
          "If it is summer time, tell the time zone of the clock at the import: Europe/Berlin; if "
          "it is not, UTC."},
+        {"Say it in the study: \"read\": {{\"unit_names\": {{\"{}\": \"{}\"}}}}.",
+         "Say it at the import, where it is asked: '{}' is '{}'."},
         {"Say it in the study: \"read\": {{\"time_format\": \"%H:%M\"}} or \"%M:%S\".",
          "Say it at the import, as the form of the time: %H:%M or %M:%S."},
         {"\"time_format\" is written as \"%d.%m.%Y %H:%M:%S\", or as the time between two rows: "

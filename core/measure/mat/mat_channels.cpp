@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <map>
 
+#include "core/measure/counted_time.hpp"
 #include "core/measure/mat/mat_values.hpp"
 #include "core/measure/time_name.hpp"
 
@@ -75,8 +77,12 @@ private:
              VariablePlace place, const std::string& unit = {}, const std::string& comment = {}) {
         Signal signal{container, std::move(name), path, unit, comment, std::move(place), false, false};
         signal.isInteger = variable.class_type != MAT_C_DOUBLE && variable.class_type != MAT_C_SINGLE;
-        if (namesTime(signal.name))
-            signal.isTime = rises(numbers(variable, signal.place.first, signal.place.stride, signal.place.count));
+        if (namesTime(signal.name)) {
+            const std::vector<double> values =
+                numbers(variable, signal.place.first, signal.place.stride, signal.place.count);
+            signal.isTime = rises(values);
+            if (signal.isTime && signal.unit.empty()) signal.unit = takenTimeUnit(signal.path, values, found_.notes);
+        }
         signals_.push_back(std::move(signal));
     }
 
@@ -283,13 +289,22 @@ private:
     std::vector<std::string> others_;
 };
 
+/// MATLAB writes a text in front of HDF5; other programs do not.
+bool isPlainHdf(const std::string& name) {
+    std::string head(8, '\0');
+    std::ifstream(name, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+    return head == "\x89HDF\r\n\x1A\n";
+}
+
 }  // namespace
 
 Outcome<Channels> findChannels(const std::string& name, const std::vector<OpaqueVariable>& opaque) {
     const FilePtr file(Mat_Open(name.c_str(), MAT_ACC_RDONLY));
     if (!file)
-        return fileError(phrase("the file is damaged: it cannot be opened"), name, 0, 0,
-                         phrase("copy it again from where it was recorded"));
+        return isPlainHdf(name) ? fileError(phrase("this is an HDF5 file that MATLAB did not write"), name, 0, 0,
+                                            phrase("Export the recording as MDF, as a MATLAB file or as CSV."))
+                                : fileError(phrase("the file is damaged: it cannot be opened"), name, 0, 0,
+                                            phrase("copy it again from where it was recorded"));
     Channels found = ChannelFinder().find(*file, opaque);
     if (!found.groups.empty()) return found;
     return fileError(phrase("the file holds no channel with values"), name, 0, 0,

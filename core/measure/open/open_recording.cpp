@@ -11,6 +11,7 @@
 #include "core/measure/mdf/mdf.hpp"
 #include "core/measure/tdms/tdms.hpp"
 #include "core/measure/text/text_recording.hpp"
+#include "core/measure/unknown_unit.hpp"
 #include "core/measure/xlsx/xlsx.hpp"
 
 namespace analogon {
@@ -44,17 +45,7 @@ std::string packedBy(ByteView bytes) {
     return {};
 }
 
-}  // namespace
-
-Outcome<bool> isTextRecording(const std::filesystem::path& file) {
-    const Outcome<std::shared_ptr<const MappedFile>> mapped = MappedFile::open(file);
-    if (!mapped) return mapped.diagnostics();
-    const ByteView bytes = (*mapped)->bytes();
-    return !isMdf(bytes) && !isTdms(bytes) && !isZip(bytes) && !isMat(bytes) && packedBy(bytes).empty() &&
-           isText(bytes);
-}
-
-Outcome<MeasurementFile> openRecording(const std::filesystem::path& file, const ReadOptions& options) {
+Outcome<MeasurementFile> openAny(const std::filesystem::path& file, const ReadOptions& options) {
     const Outcome<std::shared_ptr<const MappedFile>> mapped = MappedFile::open(file);
     if (!mapped) return mapped.diagnostics();
     const ByteView bytes = (*mapped)->bytes();
@@ -69,6 +60,25 @@ Outcome<MeasurementFile> openRecording(const std::filesystem::path& file, const 
     return fileError(
         phrase("this file is of no kind that can be read"), file.string(), 0, 0,
         phrase("ASAM MDF, MATLAB, TDMS, XLSX and text tables can be read: export the recording as one of them"));
+}
+
+}  // namespace
+
+Outcome<bool> isTextRecording(const std::filesystem::path& file) {
+    const Outcome<std::shared_ptr<const MappedFile>> mapped = MappedFile::open(file);
+    if (!mapped) return mapped.diagnostics();
+    const ByteView bytes = (*mapped)->bytes();
+    return !isMdf(bytes) && !isTdms(bytes) && !isZip(bytes) && !isMat(bytes) && packedBy(bytes).empty() &&
+           isText(bytes);
+}
+
+Outcome<MeasurementFile> openRecording(const std::filesystem::path& file, const ReadOptions& options) {
+    Outcome<MeasurementFile> opened = openAny(file, options);
+    if (!opened) return opened;
+    nameUnits(*opened, options);
+    for (const RecordedGroup& group : opened->groups)
+        for (const UnknownUnit& unknown : unknownUnits(group)) opened->notes.push_back(told(unknown));
+    return opened;
 }
 
 }  // namespace analogon

@@ -3,10 +3,10 @@
 #include <numeric>
 
 #include "core/base/file_fault.hpp"
-#include "core/base/regular_file.hpp"
 #include "core/measure/csv_dialect.hpp"
 #include "core/measure/open/open_recording.hpp"
 #include "core/measure/text/text_recording.hpp"
+#include "core/measure/unknown_unit.hpp"
 
 namespace analogon {
 
@@ -125,9 +125,11 @@ ReadOptions withEnding(const std::filesystem::path& file, ReadOptions options) {
 
 Outcome<LookedAtText> lookAtTextFile(const std::filesystem::path& file, const ReadOptions& options,
                                      const Progress& progress) {
-    const Outcome<std::string> bytes = readRegularFile(file);
-    if (!bytes) return bytes.diagnostics();
-    return lookAtText(*bytes, file.string(), withEnding(file, options), progress);
+    LookedAtText looked = lookAtText(file, withEnding(file, options), progress);
+    if (looked.table)
+        for (const UnknownUnit& unknown : unknownUnits(**looked.table))
+            looked.asked.push_back(askedUnit(unknown, options));
+    return looked;
 }
 
 Outcome<Table> readTable(const std::filesystem::path& file, const ReadOptions& options,
@@ -138,7 +140,10 @@ Outcome<Table> readTable(const std::filesystem::path& file, const ReadOptions& o
     Outcome<MeasurementFile> recording = openRecording(file);
     if (!recording) return recording.diagnostics();
     Diagnostics told = recording.diagnostics();
-    if (options != ReadOptions{}) told.push_back(needless(file, recording->format));
+    nameUnits(*recording, options);
+    ReadOptions ofTexts = options;
+    ofTexts.unitNames.clear();
+    if (ofTexts != ReadOptions{}) told.push_back(needless(file, recording->format));
     Outcome<Table> table =
         TableReader(std::make_shared<const MeasurementFile>(std::move(*recording)), wanted, mostValues).read(progress);
     if (!table) return table;

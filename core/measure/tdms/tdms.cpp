@@ -95,9 +95,15 @@ private:
         }
         values.numbers.resize(object.values());
         double* out = values.numbers.data();
+        std::size_t seen = 0;
         for (const Piece& piece : object.pieces)
-            for (std::uint64_t i = 0; i < piece.repeats; ++i, out += piece.count)
+            for (std::uint64_t i = 0; i < piece.repeats; ++i, out += piece.count) {
                 extractPiece(piece, piece.bytes.data() + i * piece.repeatStride, out);
+                if ((seen += piece.repeatStride) < MappedFile::letGoBytes) continue;
+                memory_->letGo();
+                seen = 0;
+            }
+        memory_->letGo();
         const auto isLarge = [](double x) { return std::abs(x) > 9007199254740992.0; };  // 2^53
         if ((object.type == Int64 || object.type == Uint64) &&
             std::any_of(values.numbers.begin(), values.numbers.end(), isLarge)) {
@@ -170,7 +176,8 @@ public:
         for (std::size_t i = 0; i < file.objects.size(); ++i)
             if (!file.objects[i].channel.empty()) place(file.objects[i], i);
         if (recording_.groups.empty())
-            return fileError(phrase("the file holds no channel with values"), recording_.file);
+            return fileError(phrase("the file holds no channel with values"), recording_.file, 0, 0,
+                             recording_.notes.empty() ? Text{} : recording_.notes.back());
         auto reader = std::make_shared<TdmsReader>(memory_, std::move(file), sources_, recording_.file);
         recording_.reader = reader;
         for (std::size_t g = 0; g < recording_.groups.size(); ++g) findMaster(g);

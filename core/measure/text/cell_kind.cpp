@@ -1,12 +1,31 @@
 #include "core/measure/text/cell_kind.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "core/base/unit.hpp"
 #include "core/measure/csv_dialect.hpp"
 #include "core/measure/text/stamp.hpp"
 
 namespace analogon {
 
-std::optional<QuantityText> readQuantity(std::string_view text) {
+namespace {
+
+bool isWrittenAsQuantity(std::string_view number, std::string_view behind, std::string_view unit) {
+    if (behind.front() == ' ' || behind.starts_with("\xC2\xA0") || unit.front() == '%' || unit.starts_with("\xC2\xB0"))
+        return true;
+    constexpr std::array<std::string_view, 30> usual{
+        "V",  "A",   "W",   "N",  "K",   "s",   "mV", "kV", "mA", "kW", "mW",  "Hz",  "kHz",  "MHz",  "kN",
+        "Nm", "rpm", "bar", "Pa", "kPa", "hPa", "mm", "ms", "us", "kg", "Ohm", "psi", "mbar", "kOhm", "degC"};
+    if (std::find(usual.begin(), usual.end(), unit) == usual.end()) return false;
+    const std::size_t mark = number.find_first_of(".,");
+    const bool hasDecimals = mark != std::string_view::npos && mark + 1 < number.size();
+    return hasDecimals || unit.size() > 1;
+}
+
+}  // namespace
+
+std::optional<QuantityText> readQuantity(std::string_view text, bool isAmongQuantities) {
     text = withoutBlanks(text);
     const std::size_t end = text.find_first_not_of("0123456789.,+-'");
     if (end == 0 || end == std::string_view::npos || text.find_first_of("0123456789") >= end) return std::nullopt;
@@ -17,10 +36,9 @@ std::optional<QuantityText> readQuantity(std::string_view text) {
     }
     const std::string_view number = text.substr(0, numberEnd), behind = text.substr(numberEnd);
     const std::string_view unit = withoutBlanks(behind);
-    // "2A" may be a code; with a blank between, or a unit that is no letter, it is a quantity
-    const bool isApart =
-        behind.front() == ' ' || behind.starts_with("\xC2\xA0") || unit.front() == '%' || unit.starts_with("\xC2\xB0");
-    if (!isApart || unit.empty() || unit.size() > 20 || !isKnownUnit(unit)) return std::nullopt;
+    if (unit.empty() || unit.size() > 20 || !(isAmongQuantities || isWrittenAsQuantity(number, behind, unit)) ||
+        !isKnownUnit(unit))
+        return std::nullopt;
     if (!isNumeric(number) && !shapeOf(number).isNumber) return std::nullopt;
     return QuantityText{number, unit};
 }

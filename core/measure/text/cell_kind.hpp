@@ -14,6 +14,8 @@ CellKind kindOf(std::string_view text);
 struct QuantityText {
     std::string_view number, unit;
 };
-std::optional<QuantityText> readQuantity(std::string_view text);
+/// "2A" may be a code rather: without a blank between, it is a quantity where the number has decimals or nobody writes
+/// codes so ("20mV"), and in a column of quantities.
+std::optional<QuantityText> readQuantity(std::string_view text, bool isAmongQuantities = false);
 
 }  // namespace analogon

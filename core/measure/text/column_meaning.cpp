@@ -40,10 +40,11 @@ std::string largestOf(const std::vector<std::string>& units) {
 }
 
 Diagnostics applyUnits(RawTable& raw, std::size_t from, std::size_t to) {
-    const auto& words = raw.words[from];
+    const WordSeries& words = raw.words[from];
+    if (words.hasEmptyCells()) return {};
     std::vector<std::string> units;
-    for (const auto& word : words) {
-        const std::string unit = word ? readUnitCell(*word) : std::string();
+    for (const std::string& word : words.distinct()) {
+        const std::string unit = readUnitCell(word);
         if (std::find(units.begin(), units.end(), unit) != units.end()) continue;
         if (unit.empty() || !isKnownUnit(unit)) return {};
         units.push_back(unit);
@@ -60,7 +61,7 @@ Diagnostics applyUnits(RawTable& raw, std::size_t from, std::size_t to) {
     std::map<std::string, UnitConversion> conversions;
     for (const std::string& unit : units) conversions[unit] = *convertUnit(unit, common);
     for (std::size_t row = 0; row < words.size(); ++row)
-        column.values[row] = conversions[readUnitCell(*words[row])](column.values[row]);
+        column.values[row] = conversions[readUnitCell(*words.at(row))](column.values[row]);
     return {doubt(phrase("the unit of column '{}' changes from row to row ({}): all its numbers are in {} now",
                          cited(column.name), listed(units), common),
                   raw.table.file, raw.table.lines.front())};
@@ -74,12 +75,11 @@ constexpr std::array<Switch, 10> switches{Switch{"off", "on"},    {"false", "tru
                                           {"inactive", "active"}, {"closed", "open"}};
 
 /// Both words must stand there: one alone switches nothing.
-const Switch* switchOf(const std::vector<std::optional<std::string>>& words) {
+const Switch* switchOf(const WordSeries& words) {
     for (const Switch& pair : switches) {
         bool hasOff = false, hasOn = false, hasOther = false;
-        for (const auto& word : words) {
-            if (!word) continue;
-            const std::string lower = inLowerCase(*word);
+        for (const std::string& word : words.distinct()) {
+            const std::string lower = inLowerCase(word);
             hasOff = hasOff || lower == pair.off;
             hasOn = hasOn || lower == pair.on;
             hasOther = hasOther || (lower != pair.off && lower != pair.on);
@@ -112,7 +112,7 @@ std::vector<std::vector<StatusText>> readSwitches(RawTable& raw) {
         if (!pair) continue;
         Column& column = raw.table.columns[i];
         for (std::size_t row = 0; row < raw.words[i].size(); ++row) {
-            const auto& word = raw.words[i][row];
+            const std::string* const word = raw.words[i].at(row);
             if (!word) column.blanks.push_back({static_cast<std::uint32_t>(row), 0});
             column.values.push_back(word ? (inLowerCase(*word) == pair->on ? 1.0 : 0.0) : NAN);
         }

@@ -14,7 +14,7 @@
 
 namespace analogon {
 
-TextHead headOf(std::string_view text, const ReadOptions& options, std::size_t most) {
+TextHead headOf(TextView text, const ReadOptions& options, std::size_t most) {
     constexpr std::size_t mostBytes = std::size_t{1} << 20, fewest = 8;
     TextHead head;
     head.separator = options.separator;

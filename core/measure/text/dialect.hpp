@@ -20,7 +20,7 @@ struct TextHead {
     std::optional<char> separator;  // what a line "sep=;" in front says
     bool isWhole{};                 // there are no more lines
 };
-TextHead headOf(std::string_view text, const ReadOptions& options, std::size_t most);
+TextHead headOf(TextView text, const ReadOptions& options, std::size_t most);
 
 struct SampleRow {
     TextLine line;

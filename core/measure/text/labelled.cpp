@@ -82,7 +82,7 @@ struct Pattern {
     bool hasFrames{};
 };
 
-Pattern patternOf(std::string_view text) {
+Pattern patternOf(TextView text) {
     constexpr int most = 50, fewest = 3;
     constexpr double nearlyAll = 0.9;  // a serial line may begin in mid row
     LineReader reader(text);
@@ -104,36 +104,56 @@ Pattern patternOf(std::string_view text) {
     return pattern;
 }
 
-}  // namespace
-
-std::optional<LabelledText> withoutLabels(std::string_view text) {
-    const Pattern pattern = patternOf(text);
-    if (pattern.names.empty() && !pattern.hasFrames) return std::nullopt;
-    LabelledText result;
-    result.text = text;
-    LineReader reader(text);
+/// In each line of a text that has some, its own place.
+void blankLabels(char* begin, char* end, bool hasFrames) {
+    LineReader reader(std::string_view(begin, static_cast<std::size_t>(end - begin)));
     for (TextLine line; reader.next(line);) {
         std::string plain(line.text);
         for (const Found& label : labelsIn(line.text))
             std::fill(plain.begin() + static_cast<std::ptrdiff_t>(label.begin),
                       plain.begin() + static_cast<std::ptrdiff_t>(label.number), ' ');
-        const std::optional<StampFrame> frame = pattern.hasFrames ? frameOf(line.text) : std::nullopt;
+        const std::optional<StampFrame> frame = hasFrames ? frameOf(line.text) : std::nullopt;
         if (frame) blankFrame(plain, *frame);
-        const auto at = static_cast<std::size_t>(line.text.data() - text.data());
-        std::copy(plain.begin(), plain.end(), result.text.begin() + static_cast<std::ptrdiff_t>(at));
+        std::copy(plain.begin(), plain.end(), begin + (line.text.data() - begin));
     }
-    result.names = pattern.names;
+}
+
+/// The first lines, as they are.
+std::string firstLines(TextView text) {
+    constexpr int lines = 200;
+    LineReader reader(text);
+    const char* end = text.text.data();
+    TextLine line;
+    for (int i = 0; i < lines && reader.next(line); ++i) end = line.text.data() + line.text.size();
+    return std::string(text.text.data(), end);
+}
+
+}  // namespace
+
+std::optional<LabelledText> withoutLabels(TextView text, std::string& store) {
+    const Pattern pattern = patternOf(text);
+    if (pattern.names.empty() && !pattern.hasFrames) return std::nullopt;
+    LabelledText result{text, firstLines(text), pattern.names};
+    const auto change = [hasFrames = pattern.hasFrames](char* begin, char* end) { blankLabels(begin, end, hasFrames); };
+    if (text.supply) {
+        text.supply->changeLines(change);
+    } else {
+        store = text.text;
+        change(store.data(), store.data() + store.size());
+        result.text = std::string_view(store);
+    }
     return result;
 }
 
-void nameByLabels(Layout& layout, const LabelledText& labelled, std::string_view original) {
-    if (labelled.names.empty() || layout.headerLine > 0) return;
-    LineReader reader(original.substr(layout.offset));
+void nameByLabels(Layout& layout, const LabelledText& labelled) {
+    if (labelled.names.empty() || layout.headerLine > 0 || layout.offset > labelled.head.size()) return;
+    LineReader reader(std::string_view(labelled.head).substr(layout.offset));
     for (TextLine line; reader.next(line);) {
         const std::vector<Found> labels = labelsIn(line.text);
         if (labels.size() != labelled.names.size()) continue;
-        const auto at = static_cast<std::size_t>(line.text.data() - original.data());
-        const CsvRow row = splitCsvRow(std::string_view(labelled.text).substr(at, line.text.size()), layout.separator);
+        const auto at = static_cast<std::size_t>(line.text.data() - labelled.head.data());
+        const std::string_view plain = labelled.text.from(at).front(line.text.size());
+        const CsvRow row = splitCsvRow(plain, layout.separator);
         for (std::size_t i = 0; i < std::min(row.cells.size(), layout.columns.size()); ++i)
             for (const Found& label : labels)
                 if (static_cast<std::size_t>(row.cells[i].position) == label.number + 1)

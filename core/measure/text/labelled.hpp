@@ -2,10 +2,10 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/measure/text/layout.hpp"
+#include "core/measure/text/text_view.hpp"
 
 namespace analogon {
 
@@ -13,14 +13,16 @@ namespace analogon {
 /// is: names in front of them ("T1:20.5, T2:21", "T=23.4 P=7"), an arrow behind a stamp ("10:00:01.250 -> 20.5"), and
 /// brackets around one ("[2024-03-05 10:00:01] T=23.4").
 struct LabelledText {
-    std::string text;
+    TextView text;
+    std::string head{};                // the first lines as they were
     std::vector<std::string> names{};  // the same in each row; empty: only stamps have something around them
 };
 
-/// None: nearly every of the first lines would have to look so.
-std::optional<LabelledText> withoutLabels(std::string_view text);
+/// None: nearly every of the first lines would have to look so. A text with a supply is changed where it is, line by
+/// line as it is loaded; of another one `store` holds the changed copy.
+std::optional<LabelledText> withoutLabels(TextView text, std::string& store);
 
-/// The names in front of the numbers become those of the columns; `original`: the text as it was.
-void nameByLabels(Layout& layout, const LabelledText& labelled, std::string_view original);
+/// The names in front of the numbers become those of the columns.
+void nameByLabels(Layout& layout, const LabelledText& labelled);
 
 }  // namespace analogon

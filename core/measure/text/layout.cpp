@@ -36,7 +36,7 @@ bool namesNoUnit(std::string_view word) {
 
 class LayoutFinder {
 public:
-    LayoutFinder(std::string_view text, const std::string& file, const ReadOptions& options, Questions& asked)
+    LayoutFinder(TextView text, const std::string& file, const ReadOptions& options, Questions& asked)
         : text_(text), file_(file), options_(options), asked_(asked) {}
 
     Outcome<Layout> find() {
@@ -346,11 +346,11 @@ private:
 
     void findData() {
         if (rows_.begin >= rows_.rows.size()) {
-            layout_.offset = text_.size();
+            layout_.offset = text_.text.size();
             return;
         }
         const TextLine& line = rows_.rows[rows_.begin].line;
-        layout_.offset = static_cast<std::size_t>(line.text.data() - text_.data());
+        layout_.offset = static_cast<std::size_t>(line.text.data() - text_.text.data());
         layout_.linesBefore = line.number - 1;
         if (!header_.names && rows_.score > 0 && !options_.header) {
             const LayoutColumn& first = layout_.columns.front();
@@ -360,7 +360,7 @@ private:
         }
     }
 
-    std::string_view text_;
+    TextView text_;
     const std::string& file_;
     const ReadOptions& options_;
     Questions& asked_;
@@ -377,8 +377,7 @@ Text nameOfMark(char mark) {
 
 }  // namespace
 
-Outcome<Layout> findLayout(std::string_view text, const std::string& file, const ReadOptions& options,
-                           Questions& asked) {
+Outcome<Layout> findLayout(TextView text, const std::string& file, const ReadOptions& options, Questions& asked) {
     return LayoutFinder(text, file, options, asked).find();
 }
 

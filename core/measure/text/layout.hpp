@@ -34,8 +34,7 @@ struct Layout {
     Diagnostics warnings;
 };
 
-Outcome<Layout> findLayout(std::string_view text, const std::string& file, const ReadOptions& options,
-                           Questions& asked);
+Outcome<Layout> findLayout(TextView text, const std::string& file, const ReadOptions& options, Questions& asked);
 
 /// What was found out, in one line.
 Text described(const Layout& layout);

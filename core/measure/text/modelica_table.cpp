@@ -42,7 +42,8 @@ std::string_view withoutComment(std::string_view line) { return line.substr(0, l
 
 class TableTextReader {
 public:
-    TableTextReader(std::string_view text, const std::string& file) : lines_(text), file_(file) {}
+    TableTextReader(TextView text, const std::string& file)
+        : supply_(text.supply), letGo_(text.text.data()), lines_(text), file_(file) {}
 
     Outcome<std::vector<ModelicaTable>> read() {
         std::vector<ModelicaTable> tables;
@@ -87,6 +88,7 @@ private:
         std::size_t count = 0;
         const std::size_t wanted = declared.rows * declared.columns;
         while ((hasLine = lines_.next(line)) && count < wanted) {
+            letGoBefore(line.text.data());
             std::string_view rest = withoutComment(line.text);
             while (true) {
                 const std::size_t begin = rest.find_first_not_of(" \t,;");
@@ -119,13 +121,22 @@ private:
                      line);
     }
 
+    void letGoBefore(const char* line) {
+        constexpr std::ptrdiff_t many = std::ptrdiff_t{1} << 20;
+        if (!supply_ || line - letGo_ < many) return;
+        supply_->letGo(letGo_, line);
+        letGo_ = line;
+    }
+
+    TextSupply* supply_;
+    const char* letGo_;  // of the text in front of it
     LineReader lines_;
     const std::string& file_;
 };
 
 }  // namespace
 
-bool isModelicaTable(std::string_view text) {
+bool isModelicaTable(TextView text) {
     LineReader lines(text);
     TextLine line;
     if (!lines.next(line) || withoutBlanks(line.text) != "#1") return false;
@@ -136,7 +147,7 @@ bool isModelicaTable(std::string_view text) {
     return false;
 }
 
-Outcome<std::vector<ModelicaTable>> readModelicaTables(std::string_view text, const std::string& file) {
+Outcome<std::vector<ModelicaTable>> readModelicaTables(TextView text, const std::string& file) {
     return TableTextReader(text, file).read();
 }
 

@@ -64,7 +64,8 @@ ValuesByLine valuesOf(const TextFile& file, const TextGroup& group, std::size_t 
             moment[moment.find('T')] = ' ';
             text = std::move(moment);
         } else {
-            text = column.unit.empty() ? phrase("{:.10g}", value) : phrase("{:.10g} {}", value, column.unit);
+            const bool isNumber = column.unit.empty() || column.unit == "1";
+            text = isNumber ? phrase("{:.10g}", value) : phrase("{:.10g} {}", value, column.unit);
         }
     }
     return values;

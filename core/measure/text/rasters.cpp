@@ -80,7 +80,7 @@ TextGroup cutGroup(const RawTable& raw, const std::vector<std::vector<StatusText
         column.blanks = blanksOf(column.values);
         group.table.columns.push_back(std::move(column));
         group.kinds.push_back(raw.kinds[i]);
-        group.words.push_back(kept(raw.words[i], rows));
+        group.words.push_back(raw.words[i].size() == 0 ? WordSeries{} : raw.words[i].only(rows));
         group.statuses.push_back(statuses[i]);
     }
     group.time = time - begin;
@@ -118,6 +118,24 @@ void tellSwitches(const TextGroup& group, Diagnostics& told) {
         group.table.file, 0, phrase("As inputs they are held from row to row with \"interpolation\": \"hold\".")));
 }
 
+/// Words in a column whose header has a unit, or whose cells begin as numbers do, were meant as numbers.
+void tellTexts(const TextGroup& group, Diagnostics& told) {
+    constexpr std::size_t most = 5;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < group.kinds.size() && count < most; ++i) {
+        const WordSeries& words = group.words[i];
+        if (group.kinds[i] != CellKind::Words || words.distinct().empty()) continue;
+        const std::string& first = words.distinct().front();
+        const std::size_t digit = first.find_first_not_of("+-(");
+        const bool beginsAsNumber = digit != std::string::npos && first[digit] >= '0' && first[digit] <= '9';
+        if (!beginsAsNumber && group.table.columns[i].unit.empty()) continue;
+        told.push_back(doubt(
+            phrase("column '{}' is read as text: '{}' is no number", cited(group.table.columns[i].name), cited(first)),
+            group.table.file, group.table.lines.front()));
+        ++count;
+    }
+}
+
 }  // namespace
 
 std::vector<TextGroup> groupsOf(RawTable raw, const std::map<std::string, std::string>& comments,
@@ -145,6 +163,7 @@ std::vector<TextGroup> groupsOf(RawTable raw, const std::map<std::string, std::s
             const auto comment = comments.find(column.name);
             group.comments.push_back(comment == comments.end() ? std::string() : comment->second);
         }
+        tellTexts(group, told);
         if (!group.time) continue;
         for (Diagnostic& counted : nameCountedUnit(group.table, *group.time, options, asked))
             told.push_back(std::move(counted));

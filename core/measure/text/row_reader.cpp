@@ -33,13 +33,15 @@ struct PlainCell {
 
 /// Reads the rows of one text, from the first row of data to its end.
 class RowReader {
+    static constexpr std::ptrdiff_t letGoBytes = std::ptrdiff_t{1} << 20;
     static constexpr std::size_t shownBehind = 1024;  // bytes of a line behind the place of a fault
 
 public:
-    RowReader(std::string_view text, const std::string& name, const Layout& layout, const ReadOptions& options,
+    RowReader(TextView text, const std::string& name, const Layout& layout, const ReadOptions& options,
               const Progress& progress, Questions& asked)
-        : text_(text.substr(layout.offset)),
-          lines_(text_, layout.linesBefore),
+        : text_(text.text.substr(layout.offset)),
+          supply_(text.supply),
+          lines_(text.from(layout.offset), layout.linesBefore),
           separator_(layout.separator),
           decimal_(layout.marks.decimal),
           thousands_(layout.marks.thousands),
@@ -104,7 +106,7 @@ private:
         const double rows = std::max(1.0, left / static_cast<double>(line_.text.size() + 1));
         const double cells = std::min(rows * static_cast<double>(table().columns.size()), left / 2);
         const Outcome<Done> enough =
-            limits::checkTable(rows, table().columns.size(), cells, static_cast<double>(text_.size()));
+            limits::checkTable(rows, table().columns.size(), cells, supply_ ? 0 : static_cast<double>(text_.size()));
         if (enough) return true;
         faults_ = enough.diagnostics();
         faults_.front().place.file = table().file;
@@ -135,6 +137,10 @@ private:
                 {"reading",
                  {},
                  static_cast<double>(line_.text.data() - text_.data()) / static_cast<double>(text_.size())});
+        }
+        if (supply_ && line_.text.data() - letGo_ > letGoBytes) {
+            supply_->letGo(letGo_, line_.text.data());
+            letGo_ = line_.text.data();
         }
         isLeftOut_ = false;
         if (!readPlainRow() && !readAnyRow()) return false;
@@ -188,7 +194,7 @@ private:
         if (kind == CellKind::Stamp)
             keepStamp(index, cells_[index].stamp, cells_[index].text);
         else if (kind == CellKind::Words)
-            raw_.words[index].emplace_back(inUtf8(cells_[index].text));
+            raw_.words[index].push(inUtf8(cells_[index].text));
         else
             table().columns[index].values.push_back(cells_[index].number);
     }
@@ -269,7 +275,10 @@ private:
             case CellKind::Stamp:
                 return readStampCell(index, cell);
             case CellKind::Words:
-                raw_.words[index].push_back(cell.text.empty() ? std::nullopt : std::optional(inUtf8(cell.text)));
+                if (cell.text.empty())
+                    raw_.words[index].pushEmpty();
+                else
+                    raw_.words[index].push(inUtf8(cell.text));
                 return true;
             case CellKind::Quantity:
                 return readQuantityCell(index, cell);
@@ -283,17 +292,20 @@ private:
         Column& column = table().columns[index];
         if (column.values.size() > column.blanks.size()) return;
         raw_.kinds[index] = kind;
-        if (kind == CellKind::Words) raw_.words[index].resize(column.values.size());
-        if (kind == CellKind::Stamp) raw_.stamps[index].resize(column.values.size());
+        for (std::size_t row = 0; row < column.values.size(); ++row)
+            if (kind == CellKind::Words)
+                raw_.words[index].pushEmpty();
+            else
+                raw_.stamps[index].push_back({});
         column.values.clear();
         column.blanks.clear();
     }
 
     bool readStampCell(std::size_t index, const CsvCell& cell) {
-        std::vector<Stamp>& stamps = raw_.stamps[index];
+        StampSeries& stamps = raw_.stamps[index];
         const std::optional<Stamp> stamp = readStampBy(cell.text, options_.timeFormat);
         if (!stamp && kindOf(cell.text) == CellKind::Blank) {
-            stamps.emplace_back();
+            stamps.push_back({});
             return true;
         }
         if (!stamp)
@@ -308,7 +320,7 @@ private:
     }
 
     bool readQuantityCell(std::size_t index, const CsvCell& cell) {
-        const std::optional<QuantityText> quantity = readQuantity(cell.text);
+        const std::optional<QuantityText> quantity = readQuantity(cell.text, true);
         Column& column = table().columns[index];
         if (!quantity) {
             if (kindOf(cell.text) == CellKind::Blank) return readNumberCell(index, cell);
@@ -407,6 +419,8 @@ private:
     }
 
     std::string_view text_;
+    TextSupply* supply_;
+    const char* letGo_{text_.data()};  // of the text in front of it
     LineReader lines_;
     TextLine line_;
     bool hasLine_{}, isAtEnd_{}, isLeftOut_{}, isBehindGap_{};
@@ -425,8 +439,8 @@ private:
 
 }  // namespace
 
-Outcome<RawTable> readRows(std::string_view text, const std::string& name, const Layout& layout,
-                           const ReadOptions& options, const Progress& progress, Questions& asked) {
+Outcome<RawTable> readRows(TextView text, const std::string& name, const Layout& layout, const ReadOptions& options,
+                           const Progress& progress, Questions& asked) {
     return RowReader(text, name, layout, options, progress, asked).read();
 }
 

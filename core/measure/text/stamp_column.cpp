@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/base/file_fault.hpp"
 #include "core/base/median.hpp"
 #include "core/measure/text/remark.hpp"
+#include "core/measure/text/stamp_traits.hpp"
 #include "core/measure/text/time_format.hpp"
 #include "core/measure/text/zone_clock.hpp"
 #include "core/measure/time_name.hpp"
@@ -20,43 +22,15 @@ namespace {
 constexpr std::int64_t second = 1'000'000'000, hour = 3600 * second, day = 24 * hour;
 constexpr std::int64_t none = std::numeric_limits<std::int64_t>::min();
 
-bool isTold(const Stamp& stamp) { return stamp.hasDate() || stamp.hasClock; }
-
-/// What all stamps of a column have.
-struct Traits {
-    bool haveDate{true}, haveClock{true}, haveZone{true}, anyDate{}, anyZone{}, haveTwoFields{true}, anyFraction{};
-    std::uint8_t orders{0xFF};
-    std::size_t count{};
-};
-
-Traits traitsOf(const std::vector<Stamp>& stamps) {
-    Traits traits;
-    for (const Stamp& stamp : stamps) {
-        if (!isTold(stamp)) continue;
-        ++traits.count;
-        traits.haveDate = traits.haveDate && stamp.hasDate();
-        traits.haveClock = traits.haveClock && stamp.hasClock;
-        traits.anyDate = traits.anyDate || stamp.hasDate();
-        traits.haveZone = traits.haveZone && stamp.zone != Stamp::noZone;
-        traits.anyZone = traits.anyZone || stamp.zone != Stamp::noZone;
-        traits.haveTwoFields = traits.haveTwoFields && stamp.hasTwoFields;
-        traits.anyFraction = traits.anyFraction || stamp.hasFraction;
-        if (stamp.hasDate()) traits.orders &= stamp.orders;
-    }
-    return traits;
-}
-
 bool holdsDates(const RawTable& raw, std::size_t column) {
     if (column >= raw.kinds.size() || raw.kinds[column] != CellKind::Stamp) return false;
-    const Traits traits = traitsOf(raw.stamps[column]);
-    const auto isMidnight = [](const Stamp& stamp) { return stamp.nanoseconds == 0; };  // as spreadsheets write dates
-    return traits.count > 0 && traits.haveDate &&
-           std::all_of(raw.stamps[column].begin(), raw.stamps[column].end(), isMidnight);
+    const StampTraits traits = traitsOf(raw.stamps[column]);
+    return traits.count > 0 && traits.haveDate && traits.areMidnight;
 }
 
 bool holdsClocks(const RawTable& raw, std::size_t column) {
     if (column >= raw.kinds.size() || raw.kinds[column] != CellKind::Stamp) return false;
-    const Traits traits = traitsOf(raw.stamps[column]);
+    const StampTraits traits = traitsOf(raw.stamps[column]);
     return traits.count > 0 && traits.haveClock && !traits.anyDate;
 }
 
@@ -79,13 +53,12 @@ void joinDateAndClock(RawTable& raw, Diagnostics& told) {
         const std::optional<std::size_t> clock = holdsDates(raw, i) ? clockOf(raw, i) : std::nullopt;
         if (!clock) continue;
         for (std::size_t row = 0; row < raw.stamps[i].size(); ++row) {
-            Stamp& stamp = raw.stamps[*clock][row];
-            if (!isTold(stamp) || !isTold(raw.stamps[i][row])) {
-                stamp = {};
-                continue;
-            }
-            stamp.date = raw.stamps[i][row].date;
-            stamp.orders = raw.stamps[i][row].orders;
+            Stamp stamp = raw.stamps[*clock][row];
+            const Stamp date = raw.stamps[i][row];
+            const bool isWhole = isTold(stamp) && isTold(date);
+            stamp.date = date.date;
+            stamp.orders = date.orders;
+            raw.stamps[*clock].put(row, isWhole ? stamp : Stamp{});
         }
         raw.firstStamps[*clock] = raw.firstStamps[i] + ' ' + raw.firstStamps[*clock];
         told.push_back(remark(phrase("the time is that of columns '{}' and '{}' together",
@@ -109,8 +82,10 @@ void addMilliseconds(RawTable& raw, Diagnostics& told) {
         const auto isPart = [](double value) { return value >= 0 && value < 1000; };
         if (!std::all_of(column.values.begin(), column.values.end(), isPart)) continue;
         for (std::size_t row = 0; row < raw.stamps[i].size(); ++row) {
-            raw.stamps[i][row].nanoseconds += std::llround(column.values[row] * 1e6);
-            raw.stamps[i][row].hasFraction = true;
+            Stamp stamp = raw.stamps[i][row];
+            stamp.nanoseconds += std::llround(column.values[row] * 1e6);
+            stamp.hasFraction = true;
+            raw.stamps[i].put(row, stamp);
         }
         told.push_back(remark(phrase("the milliseconds in column '{}' belong to the time in '{}'", cited(column.name),
                                      cited(raw.table.columns[i].name)),
@@ -149,14 +124,24 @@ public:
     bool countsFromStart() const { return countsFromStart_; }
     std::string start() const {
         if (!isAbsolute() || isOrderOpen_) return {};
-        const auto first = std::find_if(stamps_.begin(), stamps_.end(), isTold);
-        const Stamp& stamp = *first;
+        const std::size_t first = firstRow(), last = lastRow();
+        const Stamp stamp = stamps_[moments_[last] < moments_[first] ? last : first];
         return isoText(*dayOf(stamp, order_) * day + stamp.nanoseconds, stamp.zone);
     }
     Diagnostics remarks;
 
 private:
     int lineOf(std::size_t row) const { return raw_.table.lines[row]; }
+    std::size_t firstRow() const {
+        std::size_t row = 0;
+        while (!isTold(stamps_[row])) ++row;
+        return row;
+    }
+    std::size_t lastRow() const {
+        std::size_t row = stamps_.size() - 1;
+        while (!isTold(stamps_[row])) --row;
+        return row;
+    }
 
     Diagnostic uneven(const Text& how) const {
         return fileError(
@@ -164,73 +149,83 @@ private:
             phrase("Tell how they are written in the study: \"read\": {{\"time_format\": …, \"time_zone\": …}}."));
     }
 
-    std::vector<std::int64_t> momentsBy(DateOrder order) const {
-        std::vector<std::int64_t> moments(stamps_.size(), none);
+    /// `take(row, moment)` for each stamp, in one order of its date; false: there is no such day, or it was enough.
+    template <class Take>
+    bool forEachMoment(DateOrder order, const Take& take) const {
         std::int64_t previous = none;
         for (std::size_t i = 0; i < stamps_.size(); ++i) {
-            if (!isTold(stamps_[i])) continue;
-            const std::optional<std::int64_t> date = dayOf(stamps_[i], order);
-            if (!date) return {};
-            std::int64_t moment = *date * day + stamps_[i].nanoseconds;
-            if (stamps_[i].zone != Stamp::noZone)
-                moment -= stamps_[i].zone * 60 * second;
+            const Stamp stamp = stamps_[i];
+            if (!isTold(stamp)) continue;
+            const std::optional<std::int64_t> date = dayOf(stamp, order);
+            if (!date) return false;
+            std::int64_t moment = *date * day + stamp.nanoseconds;
+            if (stamp.zone != Stamp::noZone)
+                moment -= stamp.zone * 60 * second;
             else if (zone_)
                 moment = zone_->momentOf(moment, previous);
-            moments[i] = previous = moment;
-        }
-        return moments;
-    }
-
-    static bool neverFalls(const std::vector<std::int64_t>& moments) {
-        std::int64_t last = none;
-        for (const std::int64_t moment : moments) {
-            if (moment == none) continue;
-            if (moment < last) return false;
-            last = moment;
+            previous = moment;
+            if (!take(i, moment)) return false;
         }
         return true;
     }
 
-    static bool isSameCourse(const std::vector<std::int64_t>& a, const std::vector<std::int64_t>& b) {
+    bool isPossible(DateOrder order) const {
+        return (traits_.orders >> static_cast<int>(order) & 1) != 0 &&
+               forEachMoment(order, [](std::size_t, std::int64_t) { return true; });
+    }
+
+    /// In the order of the rows, or the newest first.
+    bool isSorted(DateOrder order, bool isNewestFirst) const {
+        std::int64_t last = isNewestFirst ? std::numeric_limits<std::int64_t>::max() : none;
+        return forEachMoment(order, [&](std::size_t, std::int64_t moment) {
+            const std::int64_t before = std::exchange(last, moment);
+            return isNewestFirst ? moment <= before : moment >= before;
+        });
+    }
+
+    /// Whether the stamps follow each other in this order as they do in that of the moments.
+    bool isSameCourse(DateOrder order) const {
         std::int64_t shift = none;
-        for (std::size_t i = 0; i < a.size(); ++i) {
-            if (a[i] == none) continue;
-            if (shift == none) shift = a[i] - b[i];
-            if (a[i] - b[i] != shift) return false;
-        }
-        return true;
+        return forEachMoment(order, [&](std::size_t row, std::int64_t moment) {
+            if (shift == none) shift = moments_[row] - moment;
+            return moments_[row] - moment == shift;
+        });
     }
 
     /// Day before month or month before day: what makes the time go back is not meant.
     Diagnostics readDates() {
-        std::vector<std::pair<DateOrder, std::vector<std::int64_t>>> readings;
-        for (const DateOrder order : {DateOrder::YearMonthDay, DateOrder::DayMonthYear, DateOrder::MonthDayYear}) {
-            if ((traits_.orders >> static_cast<int>(order) & 1) == 0) continue;
-            std::vector<std::int64_t> moments = momentsBy(order);
-            if (!moments.empty()) readings.emplace_back(order, std::move(moments));
+        std::vector<DateOrder> orders;
+        for (const DateOrder order : {DateOrder::YearMonthDay, DateOrder::DayMonthYear, DateOrder::MonthDayYear})
+            if (isPossible(order)) orders.push_back(order);
+        if (orders.empty()) return {uneven(phrase("have day and month in another order than others"))};
+        for (const bool isNewestFirst : {false, true}) {
+            std::vector<DateOrder> sorted = orders;
+            std::erase_if(sorted, [&](DateOrder order) { return !isSorted(order, isNewestFirst); });
+            if (sorted.empty()) continue;
+            orders = std::move(sorted);
+            break;
         }
-        if (readings.empty()) return {uneven(phrase("have day and month in another order than others"))};
-        const auto falls = [](const auto& reading) { return !neverFalls(reading.second); };
-        if (!std::all_of(readings.begin(), readings.end(), falls)) std::erase_if(readings, falls);
-        for (std::size_t i = 1; i < readings.size(); ++i)
-            if (!isSameCourse(readings[0].second, readings[i].second)) return {openOrder(readings)};
-        isOrderOpen_ = readings.size() > 1;
-        order_ = readings[0].first;
-        moments_ = std::move(readings[0].second);
+        order_ = orders.front();
+        moments_.assign(stamps_.size(), none);
+        forEachMoment(order_, [this](std::size_t row, std::int64_t moment) {
+            moments_[row] = moment;
+            return true;
+        });
+        for (std::size_t i = 1; i < orders.size(); ++i)
+            if (!isSameCourse(orders[i])) return {openOrder(orders)};
+        isOrderOpen_ = orders.size() > 1;
         return zone_ || traits_.haveZone ? Diagnostics{} : checkSummerTime();
     }
 
-    using CourseByOrder = std::pair<DateOrder, std::vector<std::int64_t>>;
-
-    Diagnostic openOrder(const std::vector<CourseByOrder>& readings) {
-        const auto first = std::find_if(stamps_.begin(), stamps_.end(), isTold);
-        const auto row = static_cast<std::size_t>(first - stamps_.begin());
-        const auto& d = first->date;
+    Diagnostic openOrder(const std::vector<DateOrder>& orders) {
+        const std::size_t row = firstRow();
+        const Stamp first = stamps_[row];
+        const auto& d = first.date;
         Question question{Question::Kind::Choice, phrase("Which day is '{}'?", cited(firstText_)), lineOf(row)};
-        for (const auto& [order, moments] : readings)
+        for (const DateOrder order : orders)
             if (const std::string format = stampFormatOf(firstText_, order); !format.empty())
                 question.readings.push_back(
-                    {phrase("{} ({})", isoText(*dayOf(*first, order) * day).substr(0, 10), nameOf(order)),
+                    {phrase("{} ({})", isoText(*dayOf(first, order) * day).substr(0, 10), nameOf(order)),
                      withFormat(format)});
         if (question.readings.size() > 1) asked_.push_back(std::move(question));
         return fileError(phrase("the date {:02}/{:02}/{:02} in column '{}' may have the day or the month in front, and "
@@ -252,9 +247,12 @@ private:
         return options;
     }
 
+    /// Of many rows some say it.
     double usualStep() const {
+        constexpr std::size_t many = 100'000;
+        const std::size_t stride = 1 + moments_.size() / many;
         std::vector<double> steps;
-        for (std::size_t i = 1; i < moments_.size(); ++i)
+        for (std::size_t i = 1; i < moments_.size(); i += stride)
             if (moments_[i] > moments_[i - 1] && moments_[i - 1] != none)
                 steps.push_back(static_cast<double>(moments_[i] - moments_[i - 1]));
         return steps.empty() ? 0 : median(std::move(steps));
@@ -315,8 +313,9 @@ private:
         std::int64_t days = 0, last = none;
         std::vector<std::string> midnights;
         for (std::size_t i = 0; i < stamps_.size(); ++i) {
-            if (!isTold(stamps_[i])) continue;
-            std::int64_t moment = stamps_[i].nanoseconds / (isInMinutes_ ? 60 : 1) + days * day;
+            const Stamp stamp = stamps_[i];
+            if (!isTold(stamp)) continue;
+            std::int64_t moment = stamp.nanoseconds / (isInMinutes_ ? 60 : 1) + days * day;
             if (last != none && moment < last - day / 2) {
                 days += 1;
                 moment += day;
@@ -342,36 +341,38 @@ private:
     }
 
     Diagnostic openFields() {
-        const auto first = std::find_if(stamps_.begin(), stamps_.end(), isTold);
-        const auto minutes = first->nanoseconds / (60 * second);
+        const std::size_t row = firstRow();
+        const auto minutes = stamps_[row].nanoseconds / (60 * second);
         const std::string text = fmt::format("{}:{:02}", minutes / 60, minutes % 60);
         asked_.push_back({Question::Kind::Choice,
                           phrase("What is '{}' in column '{}'?", text, cited(column_.name)),
-                          lineOf(static_cast<std::size_t>(first - stamps_.begin())),
+                          lineOf(row),
                           {{phrase("hours and minutes"), withFormat("%H:%M")},
                            {phrase("minutes and seconds"), withFormat("%M:%S")}}});
         return fileError(
             phrase("'{}' in column '{}' may be hours and minutes or minutes and seconds", text, cited(column_.name)),
-            raw_.table.file, lineOf(static_cast<std::size_t>(first - stamps_.begin())), 0,
+            raw_.table.file, lineOf(row), 0,
             phrase("Say it in the study: \"read\": {{\"time_format\": \"%H:%M\"}} or \"%M:%S\"."));
     }
 
     const RawTable& raw_;
     const Column& column_;
-    const std::vector<Stamp>& stamps_;
+    const StampSeries& stamps_;
     const std::string& firstText_;
     const ReadOptions& options_;
     Questions& asked_;
-    Traits traits_;
+    StampTraits traits_;
     std::optional<ZoneClock> zone_;
     std::vector<std::int64_t> moments_;  // [ns]; of a clock alone since midnight
     DateOrder order_{DateOrder::YearMonthDay};
     bool isOrderOpen_{}, countsFromStart_{}, isInMinutes_{};
 };
 
+/// That of the first row, or of the last one where the newest stands first.
 std::int64_t firstOf(const std::vector<std::int64_t>& moments) {
-    const auto first = std::find_if(moments.begin(), moments.end(), [](std::int64_t m) { return m != none; });
-    return first == moments.end() ? none : *first;
+    const auto isTold = [](std::int64_t m) { return m != none; };
+    const auto first = std::find_if(moments.begin(), moments.end(), isTold);
+    return first == moments.end() ? none : std::min(*first, *std::find_if(moments.rbegin(), moments.rend(), isTold));
 }
 
 /// Seconds since `zero`, with the places of what is missing.

@@ -9,6 +9,7 @@
 #include "core/base/visible.hpp"
 #include "core/measure/encoding.hpp"
 #include "core/measure/text/column_meaning.hpp"
+#include "core/measure/text/file_text.hpp"
 #include "core/measure/text/labelled.hpp"
 #include "core/measure/text/layout.hpp"
 #include "core/measure/text/modelica_table.hpp"
@@ -16,6 +17,7 @@
 #include "core/measure/text/remark.hpp"
 #include "core/measure/text/stamp_column.hpp"
 #include "core/measure/text/time_column.hpp"
+#include "core/measure/unknown_unit.hpp"
 
 namespace analogon {
 
@@ -55,7 +57,7 @@ std::string startOf(const PreambleFacts& facts) {
     return day ? isoText(*day * nanoseconds + stamp->nanoseconds, stamp->zone) : std::string();
 }
 
-Outcome<TextFile> readModelica(std::string_view text, const std::string& name) {
+Outcome<TextFile> readModelica(TextView text, const std::string& name) {
     Outcome<std::vector<ModelicaTable>> tables = readModelicaTables(text, name);
     if (!tables) return tables.diagnostics();
     TextFile file;
@@ -77,14 +79,15 @@ Outcome<TextFile> readModelica(std::string_view text, const std::string& name) {
     return file;
 }
 
-Outcome<TextFile> readPlainTable(std::string_view text, const std::string& name, const ReadOptions& options,
+Outcome<TextFile> readPlainTable(TextView text, const std::string& name, const ReadOptions& options,
                                  const Progress& progress, Questions& asked) {
-    const std::string_view original = text;
-    const std::optional<LabelledText> labelled = withoutLabels(text);
+    std::string store;
+    const std::optional<LabelledText> labelled = withoutLabels(text, store);
     if (labelled) text = labelled->text;
     Outcome<Layout> layout = findLayout(text, name, options, asked);
     if (!layout) return layout.diagnostics();
-    if (labelled) nameByLabels(*layout, *labelled, original);
+    if (labelled) nameByLabels(*layout, *labelled);
+    for (LayoutColumn& column : layout->columns) column.unit = unitMeant(column.name, column.unit, options);
     Diagnostics told = layout->warnings;
     Outcome<RawTable> raw = readRows(text, name, *layout, options, progress, asked);
     if (!raw) return raw.diagnostics();
@@ -98,6 +101,7 @@ Outcome<TextFile> readPlainTable(std::string_view text, const std::string& name,
     const Outcome<std::string> start = makeSeconds(*raw, options, asked);
     if (!start) return start.diagnostics();
     append(told, start.diagnostics());
+    append(told, putOldestFirst(*raw));
     append(told, addCountedTime(*raw, layout->facts, options, asked));
     applyToldUnit(*raw, options);
 
@@ -106,10 +110,20 @@ Outcome<TextFile> readPlainTable(std::string_view text, const std::string& name,
     file.start = start->empty() ? startOf(layout->facts) : *start;
     file.found = described(*layout);
     if (labelled && !labelled->names.empty()) file.found += phrase(", names in front of the numbers");
-    if (!isUtf8(text.substr(0, layout->offset))) file.found += phrase(", letters of Windows-1252");
+    if (!isUtf8(text.text.substr(0, layout->offset))) file.found += phrase(", letters of Windows-1252");
     file.groups = groupsOf(std::move(*raw), comments, options, told, asked);
     if (hasError(told)) return told;
     return {std::move(file), std::move(told)};
+}
+
+/// UTF-8, or letters of one byte.
+Outcome<TextFile> readDecoded(TextView text, const std::string& name, const ReadOptions& options,
+                              const Progress& progress, Questions& asked) {
+    if (text.front(4096).find('\0') != std::string_view::npos)
+        return fileError(phrase("this is not a text file"), name, 1, 0,
+                         phrase("Export the measurement as comma-separated values."));
+    if (isModelicaTable(text)) return readModelica(text, name);
+    return readPlainTable(text, name, options, progress, asked);
 }
 
 }  // namespace
@@ -124,17 +138,24 @@ Outcome<TextFile> readTextFile(std::string_view bytes, const std::string& name, 
     }
     if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
     bytes = bytes.substr(0, bytes.find_last_not_of('\0') + 1);  // of a file that was larger than what was written
-    if (bytes.substr(0, 4096).find('\0') != std::string_view::npos)
-        return fileError(phrase("this is not a text file"), name, 1, 0,
-                         phrase("Export the measurement as comma-separated values."));
-    if (isModelicaTable(bytes)) return readModelica(bytes, name);
-    return readPlainTable(bytes, name, options, progress, asked);
+    return readDecoded(bytes, name, options, progress, asked);
 }
 
 Outcome<TextFile> readTextFile(std::string_view bytes, const std::string& name, const ReadOptions& options,
                                const Progress& progress) {
     Questions asked;
     return readTextFile(bytes, name, options, progress, asked);
+}
+
+Outcome<TextFile> readTextFile(const std::filesystem::path& file, const ReadOptions& options, const Progress& progress,
+                               Questions& asked) {
+    const std::string name = file.string();
+    if (Diagnostics faults = checkOptions(options, name); !faults.empty()) return faults;
+    const Outcome<std::unique_ptr<FileText>> text = FileText::open(file, options.encoding);
+    if (!text) return text.diagnostics();
+    Outcome<TextFile> read = readDecoded((*text)->view(), name, options, progress, asked);
+    if ((*text)->fault()) return *(*text)->fault();
+    return read;
 }
 
 }  // namespace analogon

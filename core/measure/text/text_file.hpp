@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,7 +20,7 @@ struct TextGroup {
     std::string name;  // empty: the file gives none
     Table table;       // columns of words have no values
     std::vector<CellKind> kinds;
-    std::vector<std::vector<std::optional<std::string>>> words;
+    std::vector<WordSeries> words;
     std::vector<std::vector<StatusText>> statuses;
     std::vector<std::string> comments;
     std::optional<std::size_t> time;
@@ -38,5 +39,8 @@ Outcome<TextFile> readTextFile(std::string_view bytes, const std::string& name, 
                                const Progress& progress, Questions& asked);
 Outcome<TextFile> readTextFile(std::string_view bytes, const std::string& name, const ReadOptions& options,
                                const Progress& progress = {});
+/// Of a file, which need not fit into memory beside its values.
+Outcome<TextFile> readTextFile(const std::filesystem::path& file, const ReadOptions& options, const Progress& progress,
+                               Questions& asked);
 
 }  // namespace analogon

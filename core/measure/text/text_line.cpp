@@ -1,20 +1,42 @@
 #include "core/measure/text/text_line.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 namespace analogon {
+
+/// Looked for once, though many lines may end before it with CR.
+void LineReader::findFeed(const char* loaded) {
+    const char* const begin = rest_.data();
+    if (feed_ && feed_ >= begin) return;
+    const char* const from = searched_ && searched_ > begin ? searched_ : begin;
+    feed_ = static_cast<const char*>(std::memchr(from, '\n', static_cast<std::size_t>(loaded - from)));
+    searched_ = feed_ ? feed_ : loaded;
+}
+
+const char* LineReader::endOfLine() {
+    const char* const begin = rest_.data();
+    const char* const end = begin + rest_.size();
+    for (const char* from = begin;;) {
+        const char* const loaded = supply_ ? std::min(supply_->loaded(), end) : end;
+        findFeed(loaded);
+        const char* const stop = feed_ ? feed_ : loaded;
+        if (const void* const cr = std::memchr(from, '\r', static_cast<std::size_t>(stop - from))) {
+            const auto* const found = static_cast<const char*>(cr);
+            if (found + 1 == loaded && loaded != end) supply_->loadMore();  // a line feed may follow
+            return found;
+        }
+        if (feed_ || loaded == end) return stop;
+        from = loaded;
+        supply_->loadMore();
+    }
+}
 
 bool LineReader::next(TextLine& line) {
     if (rest_.empty()) return false;
     const char* const begin = rest_.data();
     const char* const end = begin + rest_.size();
-    if (feed_ < begin || !feed_) {  // looked for once, though many lines end before it with CR
-        feed_ = static_cast<const char*>(std::memchr(begin, '\n', rest_.size()));
-        if (!feed_) feed_ = end;
-    }
-    const char* stop = feed_;
-    if (const void* const cr = std::memchr(begin, '\r', static_cast<std::size_t>(stop - begin)))
-        stop = static_cast<const char*>(cr);
+    const char* stop = endOfLine();
     line = {std::string_view(begin, static_cast<std::size_t>(stop - begin)), ++number_};
     if (stop != end) ++stop;
     if (stop != end && stop[-1] == '\r' && *stop == '\n') ++stop;

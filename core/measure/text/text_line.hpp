@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "core/measure/text/text_view.hpp"
+
 namespace analogon {
 
 struct TextLine {
@@ -12,13 +14,18 @@ struct TextLine {
 /// Takes lines off a text whose lines end with CR, LF or CRLF.
 class LineReader {
 public:
-    explicit LineReader(std::string_view text, int before = 0) : rest_(text), number_(before) {}
+    explicit LineReader(TextView text, int before = 0) : rest_(text.text), supply_(text.supply), number_(before) {}
 
     bool next(TextLine& line);
 
 private:
+    const char* endOfLine();
+    void findFeed(const char* loaded);
+
     std::string_view rest_;
-    const char* feed_{};  // the next line feed, or the end
+    TextSupply* supply_;
+    const char* feed_{};      // the next line feed; null: none in what is loaded
+    const char* searched_{};  // up to where there is none
     int number_{};
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/base/regular_file.hpp"
 #include "core/measure/table.hpp"
 #include "core/measure/text/column_meaning.hpp"
 #include "core/measure/text/rasters.hpp"
@@ -13,6 +12,13 @@
 namespace analogon {
 
 namespace {
+
+std::vector<std::optional<std::string>> textsOf(const WordSeries& words) {
+    std::vector<std::optional<std::string>> texts(words.size());
+    for (std::size_t row = 0; row < texts.size(); ++row)
+        if (const std::string* const word = words.at(row)) texts[row] = *word;
+    return texts;
+}
 
 class TextValues final : public RecordingReader {
 public:
@@ -24,7 +30,7 @@ public:
         const TextGroup& from = groups_[group];
         for (const std::size_t channel : channels) {
             if (from.kinds[channel] == CellKind::Words)
-                values.push_back({{}, from.words[channel]});
+                values.push_back({{}, textsOf(from.words[channel])});
             else
                 values.push_back({from.table.columns[channel].values, {}});
         }
@@ -148,12 +154,7 @@ MeasurementFile recordingOf(const TextFile& file, const std::string& name) {
     return recording;
 }
 
-}  // namespace
-
-LookedAtText lookAtText(std::string_view bytes, const std::string& name, const ReadOptions& options,
-                        const Progress& progress) {
-    Questions asked;
-    Outcome<TextFile> read = readTextFile(bytes, name, options, progress, asked);
+LookedAtText lookedAt(Outcome<TextFile> read, const std::string& name, Questions asked) {
     if (!read) return {read.diagnostics(), nullptr, std::move(asked)};
     MeasurementFile recording = recordingOf(*read, name);
     auto table = std::make_shared<const Table>(tablesOf(std::move(read->groups)));
@@ -163,31 +164,50 @@ LookedAtText lookAtText(std::string_view bytes, const std::string& name, const R
             std::move(asked)};
 }
 
-Outcome<Table> textTables(std::string_view bytes, const std::string& name, const ReadOptions& options,
-                          const Progress& progress) {
-    Outcome<TextFile> read = readTextFile(bytes, name, options, progress);
+Outcome<Table> tablesOf(Outcome<TextFile> read) {
     if (!read) return read.diagnostics();
     return {tablesOf(std::move(read->groups)), warningsOf(read.diagnostics())};
 }
 
-Outcome<Table> readTextTables(const std::filesystem::path& file, const ReadOptions& options, const Progress& progress) {
-    const Outcome<std::string> bytes = readRegularFile(file);
-    if (!bytes) return bytes.diagnostics();
-    return textTables(*bytes, file.string(), options, progress);
-}
-
-Outcome<MeasurementFile> openTextOf(std::string_view bytes, const std::string& name, const ReadOptions& options) {
-    Outcome<TextFile> read = readTextFile(bytes, name, options);
+Outcome<MeasurementFile> opened(Outcome<TextFile> read, const std::string& name) {
     if (!read) return read.diagnostics();
     MeasurementFile recording = recordingOf(*read, name);
     recording.reader = std::make_shared<TextValues>(std::move(read->groups));
     return {std::move(recording), read.diagnostics()};
 }
 
+}  // namespace
+
+LookedAtText lookAtText(std::string_view bytes, const std::string& name, const ReadOptions& options,
+                        const Progress& progress) {
+    Questions asked;
+    Outcome<TextFile> read = readTextFile(bytes, name, options, progress, asked);
+    return lookedAt(std::move(read), name, std::move(asked));
+}
+
+LookedAtText lookAtText(const std::filesystem::path& file, const ReadOptions& options, const Progress& progress) {
+    Questions asked;
+    Outcome<TextFile> read = readTextFile(file, options, progress, asked);
+    return lookedAt(std::move(read), file.string(), std::move(asked));
+}
+
+Outcome<Table> textTables(std::string_view bytes, const std::string& name, const ReadOptions& options,
+                          const Progress& progress) {
+    return tablesOf(readTextFile(bytes, name, options, progress));
+}
+
+Outcome<Table> readTextTables(const std::filesystem::path& file, const ReadOptions& options, const Progress& progress) {
+    Questions asked;
+    return tablesOf(readTextFile(file, options, progress, asked));
+}
+
+Outcome<MeasurementFile> openTextOf(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+    return opened(readTextFile(bytes, name, options), name);
+}
+
 Outcome<MeasurementFile> openText(const std::filesystem::path& file, const ReadOptions& options) {
-    const Outcome<std::string> bytes = readRegularFile(file);
-    if (!bytes) return bytes.diagnostics();
-    return openTextOf(*bytes, file.string(), options);
+    Questions asked;
+    return opened(readTextFile(file, options, {}, asked), file.string());
 }
 
 }  // namespace analogon

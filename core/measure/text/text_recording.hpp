@@ -31,5 +31,6 @@ struct LookedAtText {
 };
 LookedAtText lookAtText(std::string_view bytes, const std::string& name, const ReadOptions& options = {},
                         const Progress& progress = {});
+LookedAtText lookAtText(const std::filesystem::path& file, const ReadOptions& options, const Progress& progress);
 
 }  // namespace analogon

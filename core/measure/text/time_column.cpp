@@ -8,6 +8,7 @@
 #include "core/base/median.hpp"
 #include "core/base/unit.hpp"
 #include "core/measure/column_header.hpp"
+#include "core/measure/counted_time.hpp"
 #include "core/measure/text/remark.hpp"
 #include "core/measure/text/time_format.hpp"
 #include "core/measure/time_name.hpp"
@@ -112,6 +113,27 @@ std::optional<std::size_t> timeColumn(const Table& table, const std::vector<Cell
     return best;
 }
 
+Diagnostics putOldestFirst(RawTable& raw) {
+    if (timeColumn(raw.table, raw.kinds)) return {};
+    const auto isNewestFirst = [&](std::size_t index) {
+        const Column& column = raw.table.columns[index];
+        const bool isTime = raw.kinds[index] == CellKind::Number && namesTime(column.name) &&
+                            (column.unit.empty() || areConvertible(column.unit, "s"));
+        return isTime && column.values.size() > 2 && column.values.front() > column.values.back() &&
+               std::is_sorted(column.values.rbegin(), column.values.rend()) &&
+               std::none_of(column.values.begin(), column.values.end(), [](double v) { return std::isnan(v); });
+    };
+    for (std::size_t i = 0; i < raw.table.columns.size(); ++i) {
+        if (!isNewestFirst(i)) continue;
+        raw.reverseRows();
+        return {doubt(phrase("the time in column '{}' falls from row to row: the newest stands first, and the rows are "
+                             "taken from the last one on",
+                             cited(raw.table.columns[i].name)),
+                      raw.table.file, raw.table.lines.back())};
+    }
+    return {};
+}
+
 Diagnostics addCountedTime(RawTable& raw, const PreambleFacts& facts, const ReadOptions& options, Questions& asked) {
     const std::string& file = raw.table.file;
     const std::optional<double> told = intervalOf(options.timeFormat);
@@ -214,23 +236,20 @@ Diagnostics nameCountedUnit(Table& table, std::size_t time, const ReadOptions& o
         return {doubt(phrase("the time in column '{}' is taken in {}, as its name says", cited(column.name), unit),
                       table.file, table.lines.front())};
     }
-    const double first = column.values.front(),
-                 step = (column.values.back() - first) / static_cast<double>(column.values.size() - 1);
-    constexpr double from = 9e8, to = 3e9;  // 1998 to 2065 [s since 1970]
-    for (const auto& [unit, perSecond] : {std::pair{"ms", 1e3}, {"us", 1e6}, {"ns", 1e9}})
-        if (first > from * perSecond && first < to * perSecond) {
-            column.unit = unit;
-            askUnit(column, table.lines.front(), {{nameOfUnit(unit), unit}, {phrase("seconds"), "s"}}, options, asked);
-            return {doubt(phrase("the numbers in column '{}' are taken for {} since 1970: no unit is given",
-                                 cited(column.name), unit),
-                          table.file, table.lines.front())};
-        }
-    const bool mayBeDays = (first > 30'000 && first < 70'000) || (first > 700'000 && first < 760'000);
-    if (mayBeDays && step < 0.2 && first != std::floor(first)) {
+    const CountedTime counted = countedTime(column.values);
+    if (!counted.unit.empty()) {
+        column.unit = counted.unit;
+        askUnit(column, table.lines.front(), {{nameOfUnit(counted.unit), counted.unit}, {phrase("seconds"), "s"}},
+                options, asked);
+        return {doubt(phrase("the numbers in column '{}' are taken for {} since 1970: no unit is given",
+                             cited(column.name), counted.unit),
+                      table.file, table.lines.front())};
+    }
+    if (counted.mayBeDays) {
         askUnit(column, table.lines.front(), {{phrase("seconds"), "s"}, {phrase("days"), "d"}}, options, asked);
         return {fileError(
             phrase("the time in column '{}' begins at {:.9g} and has no unit: these may be seconds or days",
-                   cited(column.name), first),
+                   cited(column.name), column.values.front()),
             table.file, table.lines.front(), 0,
             phrase("Say it in the study: \"read\": {{\"time_format\": \"s\"}} or {{\"time_format\": \"d\"}}."))};
     }

@@ -19,6 +19,10 @@ bool rises(const std::vector<double>& values);
 /// The column of rising values that is a time by its unit or its name: the plainest name of those that rise strictly.
 std::optional<std::size_t> timeColumn(const Table& table, const std::vector<CellKind>& kinds);
 
+/// Where a column that is a time by its name and its unit falls from row to row, the newest stands first: the rows are
+/// turned around, and that is told.
+Diagnostics putOldestFirst(RawTable& raw);
+
 /// Rows that are only counted get a time where the preamble or "time_format" tells how they follow each other. The
 /// column is put in front and is called "time". Nothing where the table has a time already. Where neither tells, it is
 /// asked.

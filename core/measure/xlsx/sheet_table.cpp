@@ -8,6 +8,7 @@
 
 #include "core/base/unit.hpp"
 #include "core/measure/column_header.hpp"
+#include "core/measure/counted_time.hpp"
 #include "core/measure/time_name.hpp"
 #include "core/measure/xlsx/cell_value.hpp"
 
@@ -296,7 +297,13 @@ private:
         if (times > 1)
             notes_.push_back(phrase("sheet \"{}\" has {} columns of time: each column belongs to the one on its left",
                                     sheet_.name, times));
-        for (SheetTable& table : tables) cut(table);
+        for (SheetTable& table : tables) {
+            cut(table);
+            if (table.time && !table.columns[*table.time].isDate && table.columns[*table.time].unit.empty()) {
+                SheetColumn& time = table.columns[*table.time];
+                time.unit = takenTimeUnit(time.name, time.numbers, notes_);
+            }
+        }
         std::erase_if(tables, [](const SheetTable& table) { return table.columns.empty(); });
         return tables;
     }

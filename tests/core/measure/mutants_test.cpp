@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "core/measure/open/open_recording.hpp"
+#include "core/measure/open/read_table.hpp"
 #include "core/measure/text/text_recording.hpp"
 #include "tests/core/measure/mdf/mdf4_writer.hpp"
 
@@ -323,6 +324,7 @@ TEST(RecordingMutants, OfSheetsEndInValuesOrInMessages) {
 }
 
 TEST(RecordingMutants, OfTextEndInValuesOrInMessages) {
+    using namespace std::string_literals;
     const std::vector<std::string> sound{
         "Model,X1\nVertical Units,V,A\nSample Interval,0.5\n,,\nLabel,supply,inrush\nTIME,CH1,CH2\n-0.5,0,1\n0,12,2\n"
         "+5.0e-01,12,3\n",
@@ -334,10 +336,19 @@ TEST(RecordingMutants, OfTextEndInValuesOrInMessages) {
         "Time [ms]\tu\tTime [ms]\tT\n0.0\t12.0\t3.0\t25.0\n5.0\t12.1\t23.0\t25.4\n10.0\t12.2\t\t\nEOF\n",
         "Samples\t3\t3\t\nY_Unit_Label\tV\tA\t\nX0\t0.0\t0.0\t\nDelta_X\t0.5\t0.5\t\n***End_of_Header***\t\t\t\n"
         "X_Value\tU\tI\tComment\n0.0\t1\t2\n0.5\t1\t2\n1.0\t1\t2\n\nMin\t1\t2\n",
-        "#1\ndouble Values(3,2)  # time, u\n 0 1\n 0.5 2\n 1 3"};
+        "#1\ndouble Values(3,2)  # time, u\n 0 1\n 0.5 2\n 1 3",
+        "T1:20.5 U=1.25\nT1:20.6 U=1.5\nT1:20.7 U=1.75\nT1:20.8 U=2\n",
+        "\xFF\xFEt\0;\0u\0\n\0"
+        "0\0;\0"
+        "1\0\n\0"
+        "1\0;\0"
+        "2\0\n\0"s,
+        "time [s];p [mpa];R\n3;1.5V;1k\n2;2.5V;2k\n1;3mV;3k\n"};
+    const MutantFile file(".csv");
     expectAllEnd([&](unsigned number) {
-        const std::string text = mutated(sound[number % sound.size()], number);
-        return openTextOf(text, "mutant.csv").hasValue();
+        file.put(mutated(sound[number % sound.size()], number));
+        static_cast<void>(lookAtTextFile(file.path()));
+        return openText(file.path()).hasValue();
     });
 }
 

@@ -100,6 +100,29 @@ TEST_P(MatTest, ReadsTheStructureWithTimeOfSimulink) {
     EXPECT_THAT(valuesOf(*opened, 0, "pos(2)"), ElementsAre(10, 20, 30));
 }
 
+TEST_P(MatTest, ATimeThatCountsNoSecondsIsTold) {
+    // MATLAB's days since the year 0, of samples at 100 Hz
+    write(
+        {numbers("time", {738'000.5, 738'000.5 + 0.01 / 86'400, 738'000.5 + 0.02 / 86'400}), numbers("y", {1, 2, 3})});
+    Outcome<MeasurementFile> opened = openRecording(file);
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    EXPECT_EQ(opened->groups[0].channels[0].unit, "d");
+    EXPECT_THAT(notes(*opened), HasSubstr("'time' begin at 738000.5 and are taken for days"));
+    write({numbers("time", {1'709'632'800'000, 1'709'632'800'010, 1'709'632'800'020}), numbers("y", {1, 2, 3})});
+    opened = openRecording(file);
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    EXPECT_EQ(opened->groups[0].channels[0].unit, "ms");
+    EXPECT_THAT(notes(*opened), HasSubstr("taken for ms since 1970"));
+    // nine days of a clock of seconds, or days at ten minutes
+    write({numbers("time", {738'000.5, 738'000.507, 738'000.514}), numbers("y", {1, 2, 3})});
+    opened = openRecording(file);
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    EXPECT_EQ(opened->groups[0].channels[0].unit, "s");
+    EXPECT_THAT(notes(*opened), HasSubstr("it is taken in seconds, and may be in days"));
+    write({numbers("time", {0, 0.5, 1}), numbers("y", {1, 2, 3})});
+    EXPECT_EQ(notes(*openRecording(file)), "");
+}
+
 TEST_P(MatTest, ACutFileIsRefused) {
     write({numbers("t", {0, 0.5, 1}), numbers("y", {1, 2, 3})});
     std::filesystem::resize_file(file, std::filesystem::file_size(file) * 7 / 10);

@@ -49,9 +49,10 @@ TEST(LabelledText, AnArrowBehindAStampPartsItFromTheValues) {
 }
 
 TEST(LabelledText, KeysOfAPreambleAndClocksAreNoNames) {
-    EXPECT_FALSE(withoutLabels("Interval: 0.1\nStart: 3\nRange: 5\nt,u\n0,1\n1,2\n2,3\n"));
-    EXPECT_FALSE(withoutLabels("time,u\n10:00:00,1\n10:00:01,2\n10:00:02,3\n"));
-    EXPECT_FALSE(withoutLabels("T:1\nT:2\n")) << "too few to tell";
+    std::string store;
+    EXPECT_FALSE(withoutLabels("Interval: 0.1\nStart: 3\nRange: 5\nt,u\n0,1\n1,2\n2,3\n", store));
+    EXPECT_FALSE(withoutLabels("time,u\n10:00:00,1\n10:00:01,2\n10:00:02,3\n", store));
+    EXPECT_FALSE(withoutLabels("T:1\nT:2\n", store)) << "too few to tell";
 }
 
 }  // namespace

@@ -678,7 +678,7 @@ TEST(TextFile, StampsOfAComputerAreATime) {
 }
 
 TEST(TextFile, SaysThatTheTimeGoesBack) {
-    EXPECT_THAT(told("t [s],u [V]\n3,1\n2,2\n1,3\n"), HasSubstr("column 't' goes back in line 3"));
+    EXPECT_THAT(told("t [s],u [V]\n3,1\n1,2\n2,3\n"), HasSubstr("column 't' goes back in line 3"));
 }
 
 TEST(TextFile, RowsOfFiguresBelowTheTableAreLeftOut) {

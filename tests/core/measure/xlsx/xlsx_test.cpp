@@ -94,6 +94,17 @@ TEST_F(Xlsx, DatesAreSecondsSinceTheFirstAndALineBelowTheDataIsNone) {
     EXPECT_THAT(notes, HasSubstr("1 rows without a time"));
 }
 
+TEST_F(Xlsx, DaysWithoutTheFormOfADateAreNoSeconds) {
+    const Outcome<MeasurementFile> opened =
+        open(row(1, word("A1", "Zeit") + word("B1", "p")) + row(2, number("A2", "45356.41667") + number("B2", "1")) +
+             row(3, number("A3", "45356.41668") + number("B3", "2")) +
+             row(4, number("A4", "45356.41669") + number("B4", "3")));
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    EXPECT_EQ(opened->groups[0].channels[0].unit, "d");
+    ASSERT_FALSE(opened->notes.empty());
+    EXPECT_THAT(opened->notes.back().english(), HasSubstr("are taken for days"));
+}
+
 TEST_F(Xlsx, AClockPassesMidnight) {
     const Outcome<MeasurementFile> opened = open(row(1, word("A1", "Uhrzeit") + word("B1", "u [V]")) +
                                                  row(2, number("A2", "0.99998842592592595", 1) + number("B2", "1")) +
