@@ -277,15 +277,18 @@ std::vector<Correlate> correlates(const Examination& of, const ResidualChannel& 
 /// What a channel moves with. Its matrices end here: those of twenty channels take more room than all else.
 void tellWhatMoves(const Examination& of, const Eigen::MatrixXd& columns, Examined& e) {
     const int count = e.channel->end - e.channel->begin;
-    const Eigen::MatrixXd rest = of.null.scores().white(of.null.whitener(columns));
-    const Explained all = explainedBy(of.white, rest);
+    Eigen::MatrixXd rest = of.null.scores().white(of.null.whitener(columns));
+    Explained all = explainedBy(of.white, rest);
     const double total = of.white.segment(e.channel->begin, count).squaredNorm();
     const auto directions = static_cast<int>(all.directions.cols());
     if (directions < 1 || count < 2 * directions + 10) return;
     e.explained = all.explained;
     e.directions = directions;
-    e.pMoves = std::min(pWhitened(all, total, count), of.patient.p(*e.channel, columns, of.unlikely));
     e.movesWith = correlates(of, *e.channel, rest, total);
+    const double p = pWhitened(all, total, count);
+    rest.resize(0, 0);
+    all.directions.resize(0, 0);
+    e.pMoves = std::min(p, of.patient.p(*e.channel, columns, of.unlikely));
 }
 
 /// Empty: there is nothing to ask on this channel.

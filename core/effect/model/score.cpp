@@ -32,7 +32,8 @@ Eigen::MatrixXd unitColumns(const Eigen::MatrixXd& columns) {
 Eigen::MatrixXd orthonormalBasis(const Eigen::MatrixXd& columns, double threshold) {
     if (columns.cols() == 0 || columns.rows() == 0) return Eigen::MatrixXd(columns.rows(), 0);
     stopPoint();
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(unitColumns(columns));
+    Eigen::MatrixXd unit = unitColumns(columns);
+    Eigen::ColPivHouseholderQR<Eigen::Ref<Eigen::MatrixXd>> qr(unit);  // in place: they may take much room
     qr.setThreshold(threshold);
     const Eigen::Index rank = qr.rank();
     Eigen::MatrixXd basis = Eigen::MatrixXd::Identity(columns.rows(), rank);
@@ -158,11 +159,15 @@ ColumnScore scoreColumns(const OrthogonalProjector& complement, const Eigen::Vec
 
 Explained explainedBy(const Eigen::VectorXd& residual, const Eigen::MatrixXd& columns) {
     constexpr double apart = 1e-6;
-    Eigen::MatrixXd finite = columns;
-    for (Eigen::Index j = 0; j < finite.cols(); ++j)
-        if (!finite.col(j).allFinite()) finite.col(j).setZero();
     Explained found;
-    found.directions = orthonormalBasis(finite, apart);
+    if (columns.allFinite()) {
+        found.directions = orthonormalBasis(columns, apart);
+    } else {
+        Eigen::MatrixXd finite = columns;
+        for (Eigen::Index j = 0; j < finite.cols(); ++j)
+            if (!finite.col(j).allFinite()) finite.col(j).setZero();
+        found.directions = orthonormalBasis(finite, apart);
+    }
     found.explained = (found.directions.transpose() * residual).squaredNorm();
     return found;
 }
