@@ -8,8 +8,8 @@ namespace analogon {
 /// `columns`: rows of the residual x traces of the strength and of what is linear beside it, in units of the noise.
 void scoreProbe(const NullModel& null, bool oneSided, const Eigen::MatrixXd& columns, Probe& probe);
 
-/// The trace that residuals taken at a strength (not 0) show of it, in units of the noise per unit of the strength; zeros
-/// where they differ from those of the model by no more than rounding.
+/// The trace that residuals taken at a strength (not 0) show of it, in units of the noise per unit of the strength;
+/// zeros where they differ from those of the model by no more than rounding.
 Eigen::VectorXd secantTrace(const NullModel& null, const Eigen::VectorXd& residuals, double strength);
 
 /// What a probe explains where it is visible and of the right sign.

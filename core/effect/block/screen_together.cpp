@@ -18,7 +18,7 @@ constexpr std::size_t mostTogether = 32;
 constexpr std::size_t mostInsertedTogether = 8;
 
 /// Fewer are not worth a model of their own where one of them is in the way of the others.
-constexpr std::size_t fewest = 3;
+constexpr std::size_t fewestTogether = 3;
 
 /// Whether a candidate stands in a component or at its connectors, switched off by its strength alone.
 bool isOfTheModel(const Candidate& candidate) {
@@ -66,7 +66,7 @@ public:
             else
                 others.push_back(i);
         // a connection that an effect opens gives a state to what was joined by it
-        const bool isInHalves = parts.empty() && hasOtherStates_ && members_.size() > fewest;
+        const bool isInHalves = parts.empty() && hasOtherStates_ && members_.size() > fewestTogether;
         const auto half = others.begin() + static_cast<std::ptrdiff_t>(isInHalves ? others.size() / 2 : 0);
         if (parts.empty() && !isInHalves) return {};
         if (isInHalves) parts.emplace_back(others.begin(), half);
