@@ -6,10 +6,9 @@
 #include <cctype>
 #include <cmath>
 
-#include "core/base/limits.hpp"
 #include "core/base/median.hpp"
 #include "core/base/unit.hpp"
-#include "core/base/visible.hpp"
+#include "core/measure/cited.hpp"
 #include "core/measure/column_header.hpp"
 #include "core/measure/time_faults.hpp"
 
@@ -17,18 +16,16 @@ namespace analogon {
 
 namespace {
 
-std::string quoted(const std::string& text) { return shortened(text, limits::quotedBytes); }
-
 Diagnostic unknownColumn(const Table& table, const std::string& name) {
     const std::vector<std::string> names = table.names();
     const std::string alike = suggestion(name, names);
     constexpr std::size_t shown = 30;
     std::vector<std::string> first;
-    for (std::size_t i = 0; i < std::min(shown, names.size()); ++i) first.push_back(quoted(names[i]));
+    for (std::size_t i = 0; i < std::min(shown, names.size()); ++i) first.push_back(cited(names[i]));
     const std::string columns = fmt::format("{}{}", fmt::join(first, ", "), names.size() > shown ? ", …" : "");
     Text hint = alike.empty() ? phrase("The columns are {}.", columns)
                               : phrase("Did you mean '{}'? The columns are {}.", alike, columns);
-    return fileError(phrase("there is no column '{}'", quoted(name)), table.file, 0, 0, std::move(hint));
+    return fileError(phrase("there is no column '{}'", cited(name)), table.file, 0, 0, std::move(hint));
 }
 
 /// The first cell that is not a finite number, and how many more there are.
@@ -38,10 +35,9 @@ Diagnostic blankCell(const Table& table, const Column& column, EmptyCells empty)
     const int last = table.lines[column.blanks.back().row];
     const std::size_t count = column.blanks.size();
     const Text what = isMissing ? phrase("no number") : phrase("an infinite value");
-    Text message = count > 1
-                       ? phrase("column '{}' has {} here (data row {}; {} cells in all, the last in line {})",
-                                quoted(column.name), what, first.row + 1, count, last)
-                       : phrase("column '{}' has {} here (data row {})", quoted(column.name), what, first.row + 1);
+    Text message = count > 1 ? phrase("column '{}' has {} here (data row {}; {} cells in all, the last in line {})",
+                                      cited(column.name), what, first.row + 1, count, last)
+                             : phrase("column '{}' has {} here (data row {})", cited(column.name), what, first.row + 1);
     Text hint = phrase("Remove these rows, fill the cells, or leave them out with \"range\": [from, to] in the study.");
     if (empty == EmptyCells::Fault)
         hint = phrase("Only outputs may have empty cells.") + " " + hint + " " +
@@ -55,7 +51,7 @@ Diagnostic blankCell(const Table& table, const Column& column, EmptyCells empty)
 Diagnostic unmeasured(const Table& table, const Column& column) {
     const BlankCell& first = column.blanks.front();
     Diagnostic note = fileError(phrase("column '{}' was not measured in {} of {} rows, first in data row {}",
-                                       quoted(column.name), column.blanks.size(), column.values.size(), first.row + 1),
+                                       cited(column.name), column.blanks.size(), column.values.size(), first.row + 1),
                                 table.file, table.lines[first.row], first.position,
                                 phrase("What the model says there is compared with nothing."));
     note.severity = Severity::Warning;
@@ -110,7 +106,7 @@ Diagnostics otherUnitAtEnd(const Table& table, const Column& column, const std::
     Diagnostic note = fileError(
         phrase("column '{}' has no unit and its name ends in '{}': its numbers are taken to be in '{}', as the model "
                "wants them",
-               quoted(column.name), end, unit),
+               cited(column.name), end, unit),
         table.file, column.line, column.position,
         phrase("Say which it is in the study: {{\"column\": \"{}\", \"unit\": \"{}\"}} or {{\"column\": \"{}\", "
                "\"unit\": \"{}\"}}.",
@@ -146,7 +142,7 @@ Outcome<UnitConversion> conversion(const Table& table, const Column& column, con
     if (result && std::isfinite(result->factor) && std::isfinite(result->offset)) return result;
     if (!isKnownUnit(source)) return unknownUnit(table, column, from);
     return fileError(phrase("column '{}' is in '{}', which cannot be converted to the '{}' of the model",
-                            quoted(column.name), quoted(from), to),
+                            cited(column.name), cited(from), to),
                      table.file, column.line, column.position,
                      phrase("Map another column, or give the unit in the study as {{\"column\": \"{}\", "
                             "\"unit\": …}}.",
@@ -197,8 +193,7 @@ Outcome<std::vector<double>> readChannel(const Table& table, const ChannelMappin
         const auto isInfiniteCell = [&](const BlankCell& cell) { return std::isinf(known.values[cell.row]); };
         const bool isInfinite = std::any_of(known.blanks.begin(), known.blanks.end(), isInfiniteCell);
         if (known.blanks.empty())
-            return fileError(phrase("column '{}' was not measured at any stamp of the raster",
-                                    shortened(known.name, limits::quotedBytes)),
+            return fileError(phrase("column '{}' was not measured at any stamp of the raster", cited(known.name)),
                              table.file, 0, 0, phrase("Choose another \"raster\", or leave the channel out."));
         if (empty == EmptyCells::NotMeasured && isInfinite)  // those without a number are none
             std::erase_if(known.blanks, [&](const BlankCell& cell) { return !isInfiniteCell(cell); });

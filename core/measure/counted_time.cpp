@@ -3,8 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/limits.hpp"
-#include "core/base/visible.hpp"
+#include "core/measure/cited.hpp"
 
 namespace analogon {
 
@@ -18,12 +17,14 @@ CountedTime countedTime(const std::vector<double>& values) {
     return {{}, isDay && step < 0.2 && first != std::floor(first)};
 }
 
+Text toldSince1970(const std::string& name, const std::string& unit) {
+    return phrase("the numbers in column '{}' are taken for {} since 1970: no unit is given", cited(name), unit);
+}
+
 std::string takenTimeUnit(const std::string& name, const std::vector<double>& values, std::vector<Text>& notes) {
-    const std::string cited = shortened(name, limits::quotedBytes);
     const CountedTime counted = countedTime(values);
     if (!counted.unit.empty()) {
-        notes.push_back(
-            phrase("the numbers in column '{}' are taken for {} since 1970: no unit is given", cited, counted.unit));
+        notes.push_back(toldSince1970(name, counted.unit));
         return counted.unit;
     }
     if (!counted.mayBeDays) return {};
@@ -32,13 +33,13 @@ std::string takenTimeUnit(const std::string& name, const std::vector<double>& va
     const double step = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
     if (step < shortest) {
         notes.push_back(phrase("the numbers in column '{}' begin at {:.9g} and are taken for days: no unit is given",
-                               cited, values.front()));
+                               cited(name), values.front()));
         return "d";
     }
     notes.push_back(
         phrase("the time in column '{}' begins at {:.9g} and has no unit: it is taken in seconds, and may be in "
                "days",
-               cited, values.front()));
+               cited(name), values.front()));
     return {};
 }
 

@@ -5,11 +5,11 @@
 #include <tuple>
 
 #include "core/base/file_fault.hpp"
-#include "core/base/limits.hpp"
 #include "core/base/median.hpp"
 #include "core/base/range.hpp"
 #include "core/base/unit.hpp"
 #include "core/base/visible.hpp"
+#include "core/measure/cited.hpp"
 
 namespace analogon {
 
@@ -17,7 +17,7 @@ namespace {
 
 int lineOf(const Table& table, std::size_t row) { return row < table.lines.size() ? table.lines[row] : 0; }
 
-std::string nameOf(const Column& column) { return shortened(column.name, limits::quotedBytes); }
+std::string nameOf(const Column& column) { return cited(column.name); }
 
 /// "in 3 rows, first in lines 4, 5 and 9"
 Text rowsOf(const Table& table, const std::vector<std::size_t>& rows) {

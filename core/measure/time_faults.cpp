@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/limits.hpp"
 #include "core/base/median.hpp"
-#include "core/base/visible.hpp"
+#include "core/measure/cited.hpp"
 
 namespace analogon {
 
@@ -60,7 +59,7 @@ Text meaningOfRepeats(const Table& table, const Column& column, const std::vecto
     Text meaning;
     if (const Column* counter = counterBeside(table, column))
         meaning = phrase("'{}' counts on there, so no row was written twice; it counts rows and is no time. ",
-                         shortened(counter->name, limits::quotedBytes));
+                         cited(counter->name));
     meaning += phrase(
         "If a quantity jumps there (two rows for one moment), write the second a little later, by {:.2g} s. If "
         "the time has too few digits, export it with more; stamps of equal steps can be written anew. If a "
@@ -92,7 +91,7 @@ std::optional<Diagnostic> timeFault(const Table& table, const Column& column, co
         if (seconds[i] < seconds[i - 1]) returns.push_back(i);
     }
     if (repeats.empty() && returns.empty()) return std::nullopt;
-    const std::string name = shortened(column.name, limits::quotedBytes);
+    const std::string name = cited(column.name);
     Text message, hint;
     if (!repeats.empty()) {
         message = phrase("the time in column '{}' repeats in {} of {} rows: {}", name, repeats.size(), seconds.size(),

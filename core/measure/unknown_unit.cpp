@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <cctype>
 
-#include "core/base/limits.hpp"
 #include "core/base/unit.hpp"
 #include "core/base/unit_alike.hpp"
-#include "core/base/visible.hpp"
+#include "core/measure/cited.hpp"
 
 namespace analogon {
 
 namespace {
-
-std::string quotedName(const std::string& text) { return shortened(text, limits::quotedBytes); }
 
 bool isUnknown(const std::string& unit) {
     const bool hasLetter =
@@ -49,7 +46,7 @@ Text columnNames(const UnknownUnit& unknown) {
     constexpr std::size_t shown = 4;
     std::vector<std::string> names;
     for (std::size_t i = 0; i < std::min(shown, unknown.columns.size()); ++i)
-        names.push_back(quotedName(unknown.columns[i]));
+        names.push_back(cited(unknown.columns[i]));
     if (unknown.columns.size() <= shown) return listed(names);
     return phrase("{} and {} more", listed(names), unknown.columns.size() - shown);
 }
@@ -72,20 +69,19 @@ std::vector<UnknownUnit> unknownUnits(const RecordedGroup& group) {
 }
 
 Text told(const UnknownUnit& unknown) {
-    Text text = phrase("the unit '{}' of {} is not known here", quotedName(unknown.text), columnNames(unknown));
+    Text text = phrase("the unit '{}' of {} is not known here", cited(unknown.text), columnNames(unknown));
     const std::vector<std::string> near = unitsAlike(unknown.text);
     if (near.size() == 1) text += phrase(": did you mean '{}'?", near[0]);
     if (near.size() > 1) text += phrase(": did you mean '{}' or '{}'?", near[0], near[1]);
     text +=
         (near.empty() ? ". " : " ") + phrase("Say it in the study: \"read\": {{\"unit_names\": {{\"{}\": \"{}\"}}}}.",
-                                             quotedName(unknown.text), near.empty() ? "…" : near[0]);
+                                             cited(unknown.text), near.empty() ? "…" : near[0]);
     return text;
 }
 
 Question askedUnit(const UnknownUnit& unknown, const ReadOptions& options) {
     Question question{Question::Kind::Unit,
-                      phrase("Which unit is '{}', of {}?", quotedName(unknown.text), columnNames(unknown)),
-                      unknown.line};
+                      phrase("Which unit is '{}', of {}?", cited(unknown.text), columnNames(unknown)), unknown.line};
     question.unit = unknown.text;
     const auto addReading = [&](Text label, const std::string& unit) {
         question.readings.push_back({std::move(label), options});

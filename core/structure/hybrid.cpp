@@ -125,35 +125,28 @@ void Partition::splitEquations() {
 void Partition::splitInitialEquations() {
     std::vector<FlatEquation> initial, open;
     std::set<std::uint32_t> given;
-    const auto give = [&](VariableId slot, ExpressionId value) {
-        initial_.emplace_back(slot, value);
-        given.insert(slot.value);
+    const auto giveTo = [&](std::optional<VariableId> id, ExpressionId value) {
+        if (!id || !isSlot(*id)) return false;
+        initial_.emplace_back(*id, value);
+        given.insert(id->value);
+        return true;
+    };
+    const auto place = [&](const FlatEquation& e) {
+        if (!giveTo(lone(e.left), e.right) && !giveTo(lone(e.right), e.left)) initial.push_back(e);
     };
     const auto isGiven = [&](std::optional<VariableId> id) {
         return id && isSlot(*id) && (variable(*id).isFixed || given.count(id->value));
     };
-    for (const FlatEquation& e : model_->initialEquations) {
-        const auto left = lone(e.left), right = lone(e.right);
-        if (isContinuousVariable(left) || isContinuousVariable(right))
+    for (const FlatEquation& e : model_->initialEquations)
+        if (isContinuousVariable(lone(e.left)) || isContinuousVariable(lone(e.right)))
             open.push_back(e);
-        else if (left && isSlot(*left))
-            give(*left, e.right);
-        else if (right && isSlot(*right))
-            give(*right, e.left);
         else
+            place(e);
+    for (const FlatEquation& e : open)
+        if (isGiven(lone(e.left)) || isGiven(lone(e.right)))
             initial.push_back(e);
-    }
-    for (const FlatEquation& e : open) {
-        const auto left = lone(e.left), right = lone(e.right);
-        if (isGiven(left) || isGiven(right))
-            initial.push_back(e);
-        else if (left && isSlot(*left))
-            give(*left, e.right);
-        else if (right && isSlot(*right))
-            give(*right, e.left);
         else
-            initial.push_back(e);
-    }
+            place(e);
     model_->initialEquations = std::move(initial);
 }
 

@@ -192,6 +192,17 @@ Outcome<std::map<std::string, double>> fixedOf(const EffectClass& effect, const 
     return fixed;
 }
 
+Outcome<std::vector<double>> strengthsOf(const EffectClass& effect, const ShapeContext& context) {
+    std::vector<double> strengths;
+    for (const std::string& text : effect.secant) {
+        const Outcome<double> strength = shapeValue(text, context);
+        if (!strength) return strength.diagnostics();
+        if (*strength != 0) strengths.push_back(*strength);
+    }
+    if (strengths.empty()) strengths.push_back(0);
+    return strengths;
+}
+
 Outcome<std::vector<std::map<std::string, double>>> shapesOf(const EffectClass& effect, const ShapeContext& anyStrength,
                                                              double strength) {
     ShapeContext context = anyStrength;

@@ -60,6 +60,10 @@ ShapeContext contextOf(const NullModel& null, const Observations& observations);
 /// The values that the recording gives the fixed parameters of an effect.
 Outcome<std::map<std::string, double>> fixedOf(const EffectClass& effect, const ShapeContext& context);
 
+/// The strengths at which an effect's traces are taken: those of its secants, or where it has none that is not 0, 0 for
+/// the slope there.
+Outcome<std::vector<double>> strengthsOf(const EffectClass& effect, const ShapeContext& context);
+
 /// All combinations of the shape values that go with a strength, which they may name.
 Outcome<std::vector<std::map<std::string, double>>> shapesOf(const EffectClass& effect, const ShapeContext& anyStrength,
                                                              double strength);

@@ -151,12 +151,9 @@ private:
         Outcome<Variant> wired = result_.fixed.empty() ? std::move(off) : wiredIn(null_, result_);
         if (!wired) return wired.diagnostics();
         wired_ = std::move(*wired);
-        for (const std::string& text : effect_.secant) {
-            const Outcome<double> value = shapeValue(text, context_);
-            if (!value) return value.diagnostics();
-            if (*value != 0) secants_.push_back(*value);
-        }
-        if (secants_.empty()) secants_.push_back(0);
+        Outcome<std::vector<double>> strengths = strengthsOf(effect_, context_);
+        if (!strengths) return strengths.diagnostics();
+        secants_ = std::move(*strengths);
         return Done{};
     }
 

@@ -56,7 +56,7 @@ public:
         return true;
     }
 
-    /// Where it does not: the members of models that may, by their indices. One: all by themselves.
+    /// Where it does not: the members of models that may, by their indices. None: all by themselves.
     std::vector<std::vector<std::size_t>> parts() const {
         std::vector<std::vector<std::size_t>> parts;
         std::vector<std::size_t> others;
@@ -65,12 +65,13 @@ public:
                 parts.push_back({i});
             else
                 others.push_back(i);
-        // a connection that an effect opens gives a state to what was joined by it
-        const bool isInHalves = parts.empty() && hasOtherStates_ && members_.size() > fewestTogether;
-        const auto half = others.begin() + static_cast<std::ptrdiff_t>(isInHalves ? others.size() / 2 : 0);
-        if (parts.empty() && !isInHalves) return {};
-        if (isInHalves) parts.emplace_back(others.begin(), half);
-        if (half != others.end()) parts.emplace_back(half, others.end());
+        if (!parts.empty()) {
+            if (!others.empty()) parts.push_back(std::move(others));
+        } else if (hasOtherStates_ && others.size() > fewestTogether) {
+            // a connection that an effect opens gives a state to what was joined by it
+            const auto half = others.begin() + static_cast<std::ptrdiff_t>(others.size() / 2);
+            parts = {{others.begin(), half}, {half, others.end()}};
+        }
         return parts;
     }
 
@@ -148,16 +149,10 @@ private:
         Outcome<std::map<std::string, double>> fixed = fixedOf(member.effect(), context);
         if (!fixed) return fixed.diagnostics();
         member.screened.fixed = std::move(*fixed);
-        for (const auto& [name, value] : member.screened.fixed)
-            setParameter(held_.problem, member.instance + "." + name, value);
-        std::vector<double> strengths;
-        for (const std::string& text : member.effect().secant) {
-            const Outcome<double> strength = shapeValue(text, context);
-            if (!strength) return strength.diagnostics();
-            if (*strength != 0) strengths.push_back(*strength);
-        }
-        if (strengths.empty()) strengths.push_back(0);
-        for (const double strength : strengths) {
+        setValues(member, member.screened.fixed);
+        const Outcome<std::vector<double>> strengths = strengthsOf(member.effect(), context);
+        if (!strengths) return strengths.diagnostics();
+        for (const double strength : *strengths) {
             Outcome<std::vector<std::map<std::string, double>>> shapes = shapesOf(member.effect(), context, strength);
             if (!shapes) return shapes.diagnostics();
             for (std::map<std::string, double>& each : *shapes)
@@ -169,8 +164,8 @@ private:
         return Done{};
     }
 
-    void setShape(const Member& member, const std::map<std::string, double>& shape) {
-        for (const auto& [name, value] : shape) setParameter(held_.problem, member.instance + "." + name, value);
+    void setValues(const Member& member, const std::map<std::string, double>& values) {
+        for (const auto& [name, value] : values) setParameter(held_.problem, member.instance + "." + name, value);
     }
 
     /// All strengths, and what is linear beside them, at zero.
@@ -192,7 +187,7 @@ private:
     /// The traces of the k-th shape of each.
     bool takeSlopes(std::size_t k) {
         for (const Member& m : members_)
-            if (k < m.slopes.size()) setShape(m, m.slopes[k]);
+            if (k < m.slopes.size()) setValues(m, m.slopes[k]);
         const Linearisation l = linearise(held_.problem, off(), true, plans_, simulation_, progress_);
         if (!isWhole(l)) return false;
         for (Member& m : members_) {
@@ -210,7 +205,7 @@ private:
         held_.problem.knownPlans = null_.steps(simulation_, progress_).coarse;
         for (const auto& [strength, shape] : member.secants) {
             if (progress_.stopRequested()) return;
-            setShape(member, shape);
+            setValues(member, shape);
             Eigen::VectorXd at = off();
             at[member.column] = strength;
             const Linearisation l = linearise(held_.problem, at, false, {}, coarse(simulation_), progress_);

@@ -57,6 +57,14 @@ Colour colourAt(const Diagram& diagram, const std::string& connector) {
     return {};
 }
 
+/// The component becomes the effect, or what holds it beside the effects that it has. `block`: null where the diagram
+/// does not show it.
+void setEffectClass(ModelEdit& edit, const Library& library, const EffectClass& effect, const std::string& component,
+                    const Block* block) {
+    const std::string held = block != nullptr ? classWith(library, *block, effect) : std::string();
+    edit.setClass(component, held.empty() ? effect.className : held);
+}
+
 class Wiring {
 public:
     Wiring(const Library& library, const syntax::ClassDefinition& model, const EffectClass& effect,
@@ -113,8 +121,7 @@ public:
     void specialise(const std::map<std::string, double>& values) {
         component_.name = place_.connector;
         const Block* component = diagram_.find(place_.connector);
-        const std::string held = component != nullptr ? classWith(library_, *component, effect_) : std::string();
-        edit_.setClass(place_.connector, held.empty() ? effect_.className : held);
+        setEffectClass(edit_, library_, effect_, place_.connector, component);
         // a class that holds several effects has those whose strength is told
         if (!values.contains(effect_.strength)) edit_.setModifier(place_.connector, effect_.strength, "0");
         for (const auto& [name, value] : modifications(values)) edit_.setModifier(place_.connector, name, value);
@@ -241,9 +248,7 @@ public:
 
     /// The component that becomes the effect.
     std::string specialise(const EffectPlace& place, const Diagram& diagram) {
-        const Block* component = diagram.find(place.connector);
-        const std::string held = component != nullptr ? classWith(library_, *component, effect_) : std::string();
-        edit_.setClass(place.connector, held.empty() ? effect_.className : held);
+        setEffectClass(edit_, library_, effect_, place.connector, diagram.find(place.connector));
         edit_.setModifier(place.connector, effect_.strength, "0");
         return place.connector;
     }

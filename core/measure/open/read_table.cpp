@@ -137,10 +137,9 @@ Outcome<Table> readTable(const std::filesystem::path& file, const ReadOptions& o
     const Outcome<bool> isText = isTextRecording(file);
     if (!isText) return isText.diagnostics();
     if (isReadAsText(*isText, options)) return readTextTables(file, withEnding(file, options), progress);
-    Outcome<MeasurementFile> recording = openRecording(file);
+    Outcome<MeasurementFile> recording = openRecording(file, options);
     if (!recording) return recording.diagnostics();
     Diagnostics told = recording.diagnostics();
-    nameUnits(*recording, options);
     ReadOptions ofTexts = options;
     ofTexts.unitNames.clear();
     if (ofTexts != ReadOptions{}) told.push_back(needless(file, recording->format));

@@ -6,9 +6,8 @@
 #include <array>
 #include <set>
 
-#include "core/base/limits.hpp"
 #include "core/base/stop.hpp"
-#include "core/base/visible.hpp"
+#include "core/measure/cited.hpp"
 #include "core/measure/encoding.hpp"
 #include "core/measure/text/preamble.hpp"
 
@@ -271,7 +270,7 @@ char openMarkIn(const CsvCell& cell) { return cell.text.find(',') != std::string
 Diagnostic openMark(const CsvCell& cell, int line, const ReadOptions& options, const std::string& file,
                     Questions& asked) {
     const char mark = openMarkIn(cell);
-    const std::string text = shortened(std::string(withoutBlanks(cell.text)), limits::quotedBytes);
+    const std::string text = cited(withoutBlanks(cell.text));
     const double decimals = readCell(text, mark).value;
     Reading ofDecimals{phrase("'{}' is {:.10g}", text, decimals), options}, ofThousands = ofDecimals;
     ofDecimals.options.decimal = mark;

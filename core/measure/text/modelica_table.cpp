@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/limits.hpp"
-#include "core/base/visible.hpp"
+#include "core/measure/cited.hpp"
 #include "core/measure/csv_dialect.hpp"
 #include "core/measure/text/text_line.hpp"
 
@@ -99,8 +99,7 @@ private:
                 const CellValue value = readCell(word, '.');
                 if (value.kind != CellValue::Kind::Number) {
                     if (declarationOf(line.text)) return tooFew(declared, count, line.number);
-                    return fault(phrase("'{}' is not a number", shortened(std::string(word), limits::quotedBytes)),
-                                 line.number);
+                    return fault(phrase("'{}' is not a number", cited(word)), line.number);
                 }
                 if (count >= wanted) return tooMany(declared, line.number);
                 if (count % declared.columns == 0) table.lines.push_back(line.number);

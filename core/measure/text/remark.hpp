@@ -6,13 +6,9 @@
 
 #include "core/base/diagnostic.hpp"
 #include "core/base/file_fault.hpp"
-#include "core/base/limits.hpp"
-#include "core/base/visible.hpp"
+#include "core/measure/cited.hpp"
 
 namespace analogon {
-
-/// A name or a cell of a file as a message tells it.
-inline std::string cited(std::string_view text) { return shortened(text, limits::quotedBytes); }
 
 /// Something that was found out about a file: no fault and no doubt.
 inline Diagnostic remark(Text message, const std::string& file, int line = 0, Text hint = {}) {

@@ -241,9 +241,7 @@ Diagnostics nameCountedUnit(Table& table, std::size_t time, const ReadOptions& o
         column.unit = counted.unit;
         askUnit(column, table.lines.front(), {{nameOfUnit(counted.unit), counted.unit}, {phrase("seconds"), "s"}},
                 options, asked);
-        return {doubt(phrase("the numbers in column '{}' are taken for {} since 1970: no unit is given",
-                             cited(column.name), counted.unit),
-                      table.file, table.lines.front())};
+        return {doubt(toldSince1970(column.name, counted.unit), table.file, table.lines.front())};
     }
     if (counted.mayBeDays) {
         askUnit(column, table.lines.front(), {{phrase("seconds"), "s"}, {phrase("days"), "d"}}, options, asked);
