@@ -361,10 +361,15 @@ TEST(EventRun, TheStateIsGivenUpThatAConstraintFixes) {
           end for;
           sum(i) = 0;
         end M;)",
-                                {"i[1]", "z"});
+                                {"i[1]", "i[2]", "z"});
     ASSERT_RAN(run);
-    const double t = 1, decay = std::exp(-5 * t);
+    const double t = 1, decay = std::exp(-5 * t), second = 2 * M_PI / 3;
     EXPECT_NEAR(run.last("i[1]"), 0.4 * (1 - decay) + std::cos(5 * t) + std::sin(5 * t) - decay, 1e-6);
+    // of this phase nothing was left where the zero component stayed a state
+    EXPECT_NEAR(
+        run.last("i[2]"),
+        std::cos(5 * t - second) + std::sin(5 * t - second) - 0.2 + (0.2 - std::cos(second) + std::sin(second)) * decay,
+        1e-6);
     EXPECT_NEAR(run.last("z"), 0, 1e-12);
 }
 
