@@ -7,6 +7,7 @@
 #include <optional>
 #include <random>
 
+#include "core/effect/model/channel_rows.hpp"
 #include "core/effect/thresholds.hpp"
 #include "core/residual/quantisation.hpp"
 
@@ -128,20 +129,26 @@ public:
                 scale_.segment(c.begin, count).setConstant(1 / std::sqrt(variance * std::max(1.0, memory)));
         }
         complement_.emplace(Eigen::MatrixXd(scale_.asDiagonal() * null.fit.optimum.jacobian));
+        basis_.emplace(*complement_, null.channels);
         scaled_ = scaled(residuals);
     }
 
-    /// `unlikely`: probability below which noise of the channels' own colours is asked how often it moves so much. What
-    /// slow quantities explain of slow noise leaves it faster than it was, and the test is too sure.
-    double p(const ResidualChannel& channel, const Eigen::MatrixXd& columns, double unlikely) const {
-        const Eigen::MatrixXd rest = (*complement_)(Eigen::MatrixXd(scale_.asDiagonal() * columns));
-        const Eigen::MatrixXd directions = explainedBy(scaled_, rest).directions;
+    /// `columns`: the rows of the channel, its place among the channels. `unlikely`: probability below which noise of
+    /// the channels' own colours is asked how often it moves so much. What slow quantities explain of slow noise leaves
+    /// it faster than it was, and the test is too sure.
+    double p(std::size_t channel, const Eigen::MatrixXd& columns, double unlikely) const {
+        const ChannelRows through(*basis_, channel);
+        const Eigen::Index count = columns.rows();
+        const Eigen::MatrixXd rest =
+            through.rest(scale_.segment(basis_->parts[channel].begin, count).asDiagonal() * columns);
+        const Eigen::VectorXd residual = through(scaled_);
+        const Eigen::MatrixXd directions = explainedBy(residual, rest).directions;
         const double dof = static_cast<double>(directions.cols());
-        const Ratio own = ratio(channel, directions, scaled_);
+        const Ratio own = ratio(count, directions, residual);
         if (dof < 1 || own.effective < 2 * dof + 10) return 1;
         const double p =
             boost::math::cdf(boost::math::complement(boost::math::fisher_f(dof, own.effective - dof), own.f));
-        return p < unlikely ? std::max(p, pAmongSurrogates(channel, directions, own.f)) : p;
+        return p < unlikely ? std::max(p, pAmongSurrogates(through, count, directions, own.f)) : p;
     }
 
 private:
@@ -156,22 +163,22 @@ private:
         return (*complement_)(Eigen::MatrixXd(scale_.cwiseProduct(residuals)));
     }
 
-    static Ratio ratio(const ResidualChannel& channel, const Eigen::MatrixXd& directions,
-                       const Eigen::VectorXd& residuals) {
-        const int count = channel.end - channel.begin;
-        const double dof = static_cast<double>(directions.cols());
+    /// `count`: of the samples, which are the first rows.
+    static Ratio ratio(Eigen::Index count, const Eigen::MatrixXd& directions, const Eigen::VectorXd& residuals) {
+        const double dof = static_cast<double>(directions.cols()), n = static_cast<double>(count);
         const Eigen::VectorXd along = directions.transpose() * residuals, left = residuals - directions * along;
-        const ResidualSummary noise = summarise(left.segment(channel.begin, count));
-        const double effective = count / std::max(1.0, noise.autocorrelationTime);
-        const double variance = left.segment(channel.begin, count).squaredNorm() / (count - dof);
-        return {along.squaredNorm() / variance * effective / count / dof, effective};
+        const ResidualSummary noise = summarise(left.head(count));
+        const double effective = n / std::max(1.0, noise.autocorrelationTime);
+        const double variance = left.head(count).squaredNorm() / (n - dof);
+        return {along.squaredNorm() / variance * effective / n / dof, effective};
     }
 
     /// Parametric bootstrap: the logarithm of the ratio is nearly normal.
-    double pAmongSurrogates(const ResidualChannel& channel, const Eigen::MatrixXd& directions, double f) const {
+    double pAmongSurrogates(const ChannelRows& through, Eigen::Index count, const Eigen::MatrixXd& directions,
+                            double f) const {
         std::mt19937_64 random(1);
         Eigen::VectorXd logs(surrogates);
-        for (double& log : logs) log = std::log(ratio(channel, directions, scaled(colours_.noise(random))).f);
+        for (double& log : logs) log = std::log(ratio(count, directions, through(scaled(colours_.noise(random)))).f);
         const double mean = logs.mean(), deviation = std::sqrt((logs.array() - mean).square().sum() / (surrogates - 1));
         const double t = (std::log(f) - mean) / (deviation * std::sqrt(1 + 1.0 / surrogates));
         return boost::math::cdf(boost::math::complement(boost::math::students_t(surrogates - 1), t));
@@ -180,6 +187,7 @@ private:
     const Whitener& colours_;
     Eigen::VectorXd scale_, scaled_;
     std::optional<OrthogonalProjector> complement_;
+    std::optional<ChannelwiseBasis> basis_;  // of what it takes out
 };
 
 /// Whether what is left on two outputs of a recording goes together, at a shift (without its colour) or at a frequency:
@@ -224,8 +232,9 @@ struct Examination {
     const PreparedTask& prepared;
     const std::vector<Regressor>& regressors;
     PatientTest patient;
-    Eigen::VectorXd white;  // the residual, with its noise made white and the parameters' freedom taken out
-    double unlikely;        // probability, beyond which it is no chance on any of the channels
+    ChannelwiseBasis whiteBasis;  // of what the parameters explain of the residual made white
+    Eigen::VectorXd white;        // the residual, with its noise made white and the parameters' freedom taken out
+    double unlikely;              // probability, beyond which it is no chance on any of the channels
 
     Examination(const NullModel& model, const Eigen::VectorXd& units, const PreparedTask& task,
                 const std::vector<Regressor>& candidates)
@@ -234,38 +243,39 @@ struct Examination {
           prepared(task),
           regressors(candidates),
           patient(model),
+          whiteBasis(model.scores().white, model.channels),
           white(model.scores().white(model.scores().whiteResidual)),
           unlikely(whiteSignificance / (3 * static_cast<double>(model.channels.size()))) {}
 
     bool isChance(double p) const { return !(p < unlikely); }
 };
 
-/// The regressors as they enter through one channel alone, less their means.
+/// The regressors as they enter through one channel alone (its rows), less their means.
 Eigen::MatrixXd columnsThrough(const Examination& of, const ResidualChannel& channel) {
-    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(of.white.size(), static_cast<Eigen::Index>(of.regressors.size()));
     const int count = channel.end - channel.begin;
+    Eigen::MatrixXd columns(count, static_cast<Eigen::Index>(of.regressors.size()));
     for (std::size_t j = 0; j < of.regressors.size(); ++j) {
         const Eigen::VectorXd& series = of.regressors[j].series[static_cast<std::size_t>(channel.experiment)];
         double mean = 0;
         for (const int sample : channel.samples) mean += series[sample] / count;
-        for (int row = channel.begin; row < channel.end; ++row)
-            columns(row, static_cast<Eigen::Index>(j)) =
-                series[channel.samples[static_cast<std::size_t>(row - channel.begin)]] - mean;
+        for (int row = 0; row < count; ++row)
+            columns(row, static_cast<Eigen::Index>(j)) = series[channel.samples[static_cast<std::size_t>(row)]] - mean;
     }
-    if (of.scale.size() > 0) columns = of.scale.asDiagonal() * columns;
+    if (of.scale.size() > 0) columns = of.scale.segment(channel.begin, count).asDiagonal() * columns;
     return columns;
 }
 
-/// With what the residual of a channel moves, most first. `rest`: the regressors, white, beside the parameters.
+/// With what the residual of a channel moves, most first. `rest`: the regressors, white, beside the parameters;
+/// `white`: the residual beside them.
 std::vector<Correlate> correlates(const Examination& of, const ResidualChannel& channel, const Eigen::MatrixXd& rest,
-                                  double total) {
+                                  const Eigen::VectorXd& white, double total) {
     std::vector<Correlate> found;
     for (std::size_t j = 0; j < of.regressors.size(); ++j) {
         const auto c = rest.col(static_cast<Eigen::Index>(j));
         const double n = c.norm();
         // what hardly moves here (the sign of a temperature) moves with nothing
         if (!(n > leastMotion * of.regressors[j].series[static_cast<std::size_t>(channel.experiment)].norm())) continue;
-        const double correlation = c.dot(of.white) / n / std::sqrt(total);
+        const double correlation = c.dot(white) / n / std::sqrt(total);
         if (std::abs(correlation) > leastCorrelation) found.push_back({of.regressors[j].variable, correlation});
     }
     std::sort(found.begin(), found.end(),
@@ -274,34 +284,34 @@ std::vector<Correlate> correlates(const Examination& of, const ResidualChannel& 
     return found;
 }
 
-/// What a channel moves with. Its matrices end here: those of twenty channels take more room than all else.
-void tellWhatMoves(const Examination& of, const Eigen::MatrixXd& columns, Examined& e) {
-    const int count = e.channel->end - e.channel->begin;
-    Eigen::MatrixXd rest = of.null.scores().white(of.null.whitener(columns));
-    Explained all = explainedBy(of.white, rest);
+/// What the channel of that place moves with.
+void tellWhatMoves(const Examination& of, std::size_t place, Examined& e) {
+    const Eigen::MatrixXd columns = columnsThrough(of, *e.channel);
+    const ChannelRows through(of.whiteBasis, place);
+    const Eigen::MatrixXd rest = through.rest(of.null.whitener.through(place, columns));
+    const Eigen::VectorXd white = through(of.white);
+    const Explained all = explainedBy(white, rest);
+    const auto count = static_cast<int>(columns.rows());
     const double total = of.white.segment(e.channel->begin, count).squaredNorm();
     const auto directions = static_cast<int>(all.directions.cols());
     if (directions < 1 || count < 2 * directions + 10) return;
     e.explained = all.explained;
     e.directions = directions;
-    e.movesWith = correlates(of, *e.channel, rest, total);
-    const double p = pWhitened(all, total, count);
-    rest.resize(0, 0);
-    all.directions.resize(0, 0);
-    e.pMoves = std::min(p, of.patient.p(*e.channel, columns, of.unlikely));
+    e.movesWith = correlates(of, *e.channel, rest, white, total);
+    e.pMoves = std::min(pWhitened(all, total, count), of.patient.p(place, columns, of.unlikely));
 }
 
 /// Empty: there is nothing to ask on this channel.
-std::optional<Examined> examine(const Examination& of, const ResidualChannel& channel) {
+std::optional<Examined> examine(const Examination& of, std::size_t place) {
+    const ResidualChannel& channel = of.null.channels[place];
     const Eigen::VectorXd& residuals = of.null.fit.optimum.residuals;
     if (quantisationStep(channel.measured) > 0 && isNoise(channel, residuals)) return std::nullopt;
     const int count = channel.end - channel.begin;
     const Eigen::VectorXd own = residuals.segment(channel.begin, count);
     if (own.norm() <= nothing * std::sqrt(static_cast<double>(count))) return std::nullopt;
-    const Eigen::MatrixXd columns = columnsThrough(of, channel);
     Examined e;
     e.channel = &channel;
-    tellWhatMoves(of, columns, e);
+    tellWhatMoves(of, place, e);
     e.summary = summarise(own);
     e.isWhite = of.isChance(e.summary.whiteProbability);
     const double scatter = std::sqrt((own.array() - own.mean()).square().mean());  // of less than the noise: none
@@ -348,8 +358,8 @@ Leftovers leftoversIn(const NullModel& null, const Eigen::VectorXd& scale, const
                       const std::vector<Regressor>& candidates) {
     const Examination of(null, scale, prepared, candidates);
     std::vector<Examined> examined;
-    for (const ResidualChannel& channel : null.channels)
-        if (std::optional<Examined> e = examine(of, channel)) examined.push_back(std::move(*e));
+    for (std::size_t c = 0; c < null.channels.size(); ++c)
+        if (std::optional<Examined> e = examine(of, c)) examined.push_back(std::move(*e));
     const bool isAllNoise =
         std::all_of(examined.begin(), examined.end(), [](const Examined& e) { return e.isNoise; }) &&
         !isShared(null.channels, null.fit.optimum.residuals, of.white);

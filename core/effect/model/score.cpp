@@ -98,6 +98,14 @@ Eigen::MatrixXd Whitener::operator()(const Eigen::MatrixXd& rows) const {
     return white;
 }
 
+Eigen::MatrixXd Whitener::through(std::size_t channel, const Eigen::MatrixXd& rows) const {
+    if (channel >= models_.size()) return rows;
+    Eigen::MatrixXd white(rows.rows(), rows.cols());
+    for (Eigen::Index j = 0; j < rows.cols(); ++j)
+        white.col(j) = models_[channel].whiten(Eigen::VectorXd(rows.col(j))) / models_[channel].innovation;
+    return white;
+}
+
 Eigen::VectorXd Whitener::noise(std::mt19937_64& random) const {
     Eigen::VectorXd rows(channels_.empty() ? 0 : channels_.back().end);
     for (std::size_t c = 0; c < channels_.size(); ++c) {

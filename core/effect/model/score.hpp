@@ -40,6 +40,8 @@ public:
 
     Eigen::VectorXd operator()(const Eigen::VectorXd& rows) const;
     Eigen::MatrixXd operator()(const Eigen::MatrixXd& rows) const;
+    /// The same of the rows of one channel, its place among those it was estimated from. Default: as they are.
+    Eigen::MatrixXd through(std::size_t channel, const Eigen::MatrixXd& rows) const;
     /// Noise of every channel's colour and size, as rows that are not white.
     Eigen::VectorXd noise(std::mt19937_64& random) const;
 
@@ -54,6 +56,7 @@ public:
     explicit OrthogonalProjector(const Eigen::MatrixXd& jacobian);
     Eigen::MatrixXd operator()(const Eigen::MatrixXd& columns) const;
     int rank() const { return static_cast<int>(basis_.cols()); }
+    const Eigen::MatrixXd& basis() const { return basis_; }  // orthonormal, of the columns
     /// Least-squares coefficients of the Jacobian's columns for a column (how the parameters imitate it).
     Eigen::VectorXd coefficients(const Eigen::VectorXd& column) const;
 
