@@ -17,20 +17,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view stateFormat = "analogon-campaign-state-1";
 
-const char* name(UnitState state) {
-    switch (state) {
-        case UnitState::Waiting:
-            return "waiting";
-        case UnitState::Running:
-            return "running";
-        case UnitState::Done:
-            return "done";
-        case UnitState::Failed:
-            break;
-    }
-    return "failed";
-}
-
 bool isState(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
     std::string begin(200, '\0');
@@ -57,6 +43,20 @@ Outcome<DirectoryLock> lockOf(const fs::path& out) {
 }
 
 }  // namespace
+
+const char* name(UnitState state) {
+    switch (state) {
+        case UnitState::Waiting:
+            return "waiting";
+        case UnitState::Running:
+            return "running";
+        case UnitState::Done:
+            return "done";
+        case UnitState::Failed:
+            break;
+    }
+    return "failed";
+}
 
 Outcome<CampaignState> CampaignState::take(const Campaign& campaign, const CampaignTemplate& study, const fs::path& out,
                                            bool retry) {

@@ -10,6 +10,7 @@
 namespace analogon {
 
 enum class UnitState { Waiting, Running, Done, Failed };
+const char* name(UnitState state);  // "waiting", "running", "done", "failed"
 
 struct CampaignCounts {
     std::size_t units{}, waiting{}, running{}, done{}, failed{};

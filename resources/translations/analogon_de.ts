@@ -148,7 +148,7 @@
     </message>
     <message>
         <source>Test object</source>
-        <translation>Prüfling</translation>
+        <translation>Exemplar</translation>
     </message>
     <message>
         <source>Author</source>
@@ -4189,6 +4189,14 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
 <context>
     <name>MainWindow</name>
     <message>
+        <source>Campaign …</source>
+        <translation>Kampagne …</translation>
+    </message>
+    <message>
+        <source>One study for a whole series of units: started, watched, and each unit's study opened</source>
+        <translation>Eine Studie für eine ganze Serie von Exemplaren: starten, verfolgen und die Studie jedes Exemplars öffnen</translation>
+    </message>
+    <message>
         <source>Recovered work</source>
         <translation>Wiederhergestellte Arbeit</translation>
     </message>
@@ -5994,7 +6002,7 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     </message>
     <message>
         <source>Test object</source>
-        <translation>Prüfling</translation>
+        <translation>Exemplar</translation>
     </message>
     <message>
         <source>Study</source>
@@ -6187,6 +6195,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
 </context>
 <context>
     <name>core</name>
+    <message>
+        <source>the state of the campaign cannot be read</source>
+        <translation>der Stand der Kampagne ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>Start the campaign again: what is done is found in the folders of the units.</source>
+        <translation>Die Kampagne erneut starten: Was fertig ist, findet sich in den Ordnern der Exemplare.</translation>
+    </message>
     <message>
         <source>the file became shorter while it was read</source>
         <translation>die Datei wurde kürzer, während sie gelesen wurde</translation>
@@ -14759,6 +14775,227 @@ Bitte den Namen prüfen.</translation>
     <message>
         <source>Filter the recordings</source>
         <translation>Aufzeichnungen filtern</translation>
+    </message>
+</context>
+<context>
+    <name>CampaignWindow</name>
+    <message>
+        <source>, about %1 s left</source>
+        <translation>, noch etwa %1 s</translation>
+    </message>
+    <message>
+        <source>, about %1 min left</source>
+        <translation>, noch etwa %1 min</translation>
+    </message>
+    <message>
+        <source>, about %1 h left</source>
+        <translation>, noch etwa %1 h</translation>
+    </message>
+    <message>
+        <source>Units of the campaign</source>
+        <translation>Exemplare der Kampagne</translation>
+    </message>
+    <message>
+        <source>On a Slurm cluster, with the options</source>
+        <translation>Auf einem Slurm-Cluster, mit den Optionen</translation>
+    </message>
+    <message>
+        <source>Failed units again</source>
+        <translation>Fehlgeschlagene erneut</translation>
+    </message>
+    <message>
+        <source>Open its study</source>
+        <translation>Studie öffnen</translation>
+    </message>
+    <message>
+        <source>Open its report</source>
+        <translation>Bericht öffnen</translation>
+    </message>
+    <message>
+        <source>Open the summary</source>
+        <translation>Zusammenfassung öffnen</translation>
+    </message>
+    <message>
+        <source>Open the table of results</source>
+        <translation>Ergebnistabelle öffnen</translation>
+    </message>
+    <message>
+        <source>Campaign</source>
+        <translation>Kampagne</translation>
+    </message>
+    <message>
+        <source>Open a campaign.json: it names a study, and a table with a row for each unit</source>
+        <translation>Eine campaign.json öffnen: Sie nennt eine Studie und eine Tabelle mit einer Zeile je Exemplar</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Results in</source>
+        <translation>Ergebnisse in</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Units at the same time</source>
+        <translation>Exemplare gleichzeitig</translation>
+    </message>
+    <message>
+        <source>Options for sbatch</source>
+        <translation>Optionen für sbatch</translation>
+    </message>
+    <message>
+        <source>&amp;Units at the same time</source>
+        <translation>&amp;Exemplare gleichzeitig</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtern</translation>
+    </message>
+    <message>
+        <source>Filter the units</source>
+        <translation>Die Exemplare filtern</translation>
+    </message>
+    <message>
+        <source>Open a campaign</source>
+        <translation>Kampagne öffnen</translation>
+    </message>
+    <message>
+        <source>Campaigns (*.json);;All files (*)</source>
+        <translation>Kampagnen (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Directory of the results</source>
+        <translation>Verzeichnis der Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Reading …</source>
+        <translation>Wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Campaign: %1</source>
+        <translation>Kampagne: %1</translation>
+    </message>
+    <message>
+        <source>Looking</source>
+        <translation>Nachsehen</translation>
+    </message>
+    <message>
+        <source>%1 units: %2 done, %3 failed, %4 waiting</source>
+        <translation>%1 Exemplare: %2 fertig, %3 fehlgeschlagen, %4 wartend</translation>
+    </message>
+    <message>
+        <source>, %1 running</source>
+        <translation>, %1 in Arbeit</translation>
+    </message>
+    <message>
+        <source>The campaign was stopped. Start goes on where it was.</source>
+        <translation>Die Kampagne wurde angehalten. „Starten“ setzt sie fort, wo sie war.</translation>
+    </message>
+    <message>
+        <source>All units failed; their rows say why.</source>
+        <translation>Alle Exemplare sind fehlgeschlagen; ihre Zeilen sagen, warum.</translation>
+    </message>
+    <message>
+        <source>The program that works on the campaign has ended unexpectedly. Start goes on where it was.</source>
+        <translation>Das Programm, das an der Kampagne arbeitet, hat unerwartet geendet. „Starten“ setzt sie fort, wo sie war.</translation>
+    </message>
+    <message>
+        <source>Stopping …</source>
+        <translation>Wird angehalten …</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>The job stays on the cluster when this window is closed; starting the campaign again follows it. Close it?</source>
+        <translation>Der Auftrag bleibt auf dem Cluster, wenn dieses Fenster geschlossen wird; wird die Kampagne wieder gestartet, folgt sie ihm. Schließen?</translation>
+    </message>
+    <message>
+        <source>The campaign stops when this window is closed; what is done is kept, and starting it again goes on. Close it?</source>
+        <translation>Die Kampagne hält an, wenn dieses Fenster geschlossen wird; was fertig ist, bleibt, und ein neuer Start setzt sie fort. Schließen?</translation>
+    </message>
+</context>
+<context>
+    <name>CampaignProcess</name>
+    <message>
+        <source>The program analogon-cli, which works on campaigns, was found neither beside this one nor among those that are installed.</source>
+        <translation>Das Programm analogon-cli, das an Kampagnen arbeitet, wurde weder neben diesem noch unter den installierten gefunden.</translation>
+    </message>
+</context>
+<context>
+    <name>UnitsModel</name>
+    <message>
+        <source>waiting</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>in Arbeit</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>nothing is missing</source>
+        <translation>nichts fehlt</translation>
+    </message>
+    <message>
+        <source>unexplained</source>
+        <translation>unerklärt</translation>
+    </message>
+    <message>
+        <source>in part</source>
+        <translation>zum Teil</translation>
+    </message>
+    <message>
+        <source> at </source>
+        <translation> an </translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Exemplar</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Gefunden</translation>
+    </message>
+    <message>
+        <source>Before [%]</source>
+        <translation>Vorher [%]</translation>
+    </message>
+    <message>
+        <source>After [%]</source>
+        <translation>Nachher [%]</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Fehler</translation>
     </message>
 </context>
 </TS>

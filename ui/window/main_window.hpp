@@ -138,6 +138,7 @@ private:
     void showRecordings();
     void leaveRecordings();
     void showSensitivity();
+    void showCampaign(const QString& file);
     void settle();
     /// Does it at once, or once the user has said what becomes of unsaved changes.
     void leaveThen(std::function<void()> next);

@@ -170,6 +170,10 @@ void MainWindow::createMenus() {
     });
     sweep->setObjectName("sweep");
     sweep->setToolTip(tr("The error over one parameter as a curve, over two as a map"));
+    QAction* campaign =
+        run->addAction(tr("Campaign …"), Qt::CTRL | Qt::SHIFT | Qt::Key_B, this, [this] { showCampaign({}); });
+    campaign->setObjectName("campaign-action");
+    campaign->setToolTip(tr("One study for a whole series of units: started, watched, and each unit's study opened"));
     run->setToolTipsVisible(true);  // they say what a run waits for
     QMenu* view = menuBar()->addMenu(tr("&View"));
     view->addActions({fitViewAction_, textBesideAction_, recordingsAction_});

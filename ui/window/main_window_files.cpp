@@ -17,9 +17,11 @@
 #include <QUrl>
 #include <algorithm>
 
+#include "core/campaign/campaign_look.hpp"
 #include "core/export/export.hpp"
 #include "core/study/report_settings.hpp"
 #include "core/study/results.hpp"
+#include "ui/campaign/campaign_window.hpp"
 #include "ui/canvas/diagram_view.hpp"
 #include "ui/document/document.hpp"
 #include "ui/document/mention.hpp"
@@ -85,6 +87,7 @@ void MainWindow::open(const QString& path) {
         if (!isGenerating) showGenerate();  // there is no model yet that it could be a recording of
         return generate_->addRecording(path);
     }
+    if (campaignFileKind(path.toStdString()) != CampaignFile::None) return showCampaign(path);
     if (document_->isOpen() && !isStudy(path) && file.exists()) return importMeasurement(path);
     leaveThen([this, path] { document_->open(path); });
 }
@@ -239,6 +242,21 @@ void MainWindow::leaveRecordings() {
     if (tab < 0) return;
     centre_->removeTab(tab);
     showDiagram();
+}
+
+/// A campaign stands beside the study that is open; a second one takes the place of the first unless that runs.
+void MainWindow::showCampaign(const QString& file) {
+    auto* campaign = findChild<CampaignWindow*>();
+    if (!campaign) {
+        campaign = new CampaignWindow(this);
+        connect(campaign, &CampaignWindow::studyWanted, this, [this](const Study& study, const Diagnostics& remarks) {
+            leaveThen([this, study, remarks] { document_->startWith(study, remarks); });
+        });
+    }
+    if (!file.isEmpty()) campaign->openCampaign(file);
+    campaign->show();
+    campaign->raise();
+    campaign->activateWindow();
 }
 
 void MainWindow::showSensitivity() {

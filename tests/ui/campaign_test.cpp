@@ -1,0 +1,250 @@
+#include <QAction>
+#include <QCheckBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSortFilterProxyModel>
+#include <QSpinBox>
+#include <QTableView>
+#include <cmath>
+#include <fstream>
+
+#include "tests/ui/panels_fixture.hpp"
+#include "ui/campaign/campaign_window.hpp"
+#include "ui/campaign/units_model.hpp"
+#include "ui/style/style.hpp"
+#include "ui/style/translator.hpp"
+
+namespace analogon::ui {
+namespace {
+
+/// A folder with a small study (a first-order lag of gain k), and units that differ in k.
+class CampaignInTheWindow : public Panels {
+protected:
+    void SetUp() override {
+        Panels::SetUp();
+        QDir(directory.path()).mkpath("lag");
+        write("lag/model.mo",
+              "model Lag\n  Analogon.Interfaces.RealInput u(unit=\"V\");\n"
+              "  Analogon.Interfaces.RealOutput y(unit=\"V\");\n  parameter Real k(unit=\"1\") = 1;\n"
+              "  parameter Real T(unit=\"s\") = 0.5;\n  Real x(unit=\"V\", start=0, fixed=true);\n"
+              "equation\n  T*der(x) = k*u - x;\n  y = x;\nend Lag;\n");
+        write("lag/study.json",
+              R"({"format": "analogon-study-1", "class": "Lag", "experiments": [{"name": "step", "role": "fit",
+                  "file": "step.csv", "time": "t", "inputs": {"u": "u"}, "outputs": {"y": "y"}}],
+                  "parameters": {"k": {"fit": true, "min": 0.1, "max": 100},
+                                 "T": {"fit": true, "min": 0.01, "max": 5}}})");
+        record("lag/step.csv", 1);
+        write("campaign.json", R"({"format": "analogon-campaign-1", "study": "lag", "units": "units.csv",
+            "command": "fit", "columns": {"unit": "serial", "files": {"step": "file"}, "attributes": ["supplier"]}})");
+    }
+    QString at(const QString& name) const { return directory.filePath(name); }
+    void write(const QString& name, const std::string& text) const {
+        std::ofstream(at(name).toStdString(), std::ios::binary) << text;
+    }
+    void record(const QString& name, double gain) const {
+        std::string text = "t [s],u [V],y [V]\n";
+        for (int i = 0; i <= 60; ++i)
+            text += std::to_string(0.05 * i) + ",1," +
+                    std::to_string(gain * (1 - std::exp(-0.05 * i / 0.4)) + 0.002 * std::sin(37.0 * i * i)) + "\n";
+        write(name, text);
+    }
+    void units(int count) const {
+        std::string table = "serial,file,supplier\n";
+        for (int i = 0; i < count; ++i) {
+            const std::string name = "U" + std::to_string(i);
+            record(QString::fromStdString(name + ".csv"), 1 + i);
+            table += name + "," + name + ".csv," + (i % 2 ? "B" : "A") + "\n";
+        }
+        write("units.csv", table + "broken,missing.csv,A\n");
+    }
+    CampaignWindow& openCampaign(const QString& file = "campaign.json") {
+        window.open(at(file));
+        auto* campaign = window.findChild<CampaignWindow*>();
+        EXPECT_TRUE(campaign && campaign->isVisible());
+        campaign->process().setProgram(ANALOGON_CLI);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return campaign->model()->rowCount() > 0 || isTold(*campaign); }, 10000));
+        return *campaign;
+    }
+    static bool isTold(const CampaignWindow& campaign) {
+        return !campaign.told()->isHidden() && campaign.told()->text() != CampaignWindow::tr("Reading …");
+    }
+    static bool waitUntilEnded(CampaignWindow& campaign, int rowsDone) {
+        return QTest::qWaitFor(
+            [&] { return !campaign.process().isRunning() && rowsIn(campaign, UnitsModel::tr("done")) == rowsDone; },
+            60000);
+    }
+    static QString cell(const CampaignWindow& campaign, int row, int column) {
+        return campaign.model()->index(row, column).data().toString();
+    }
+    static int rowsIn(const CampaignWindow& campaign, const QString& state) {
+        int count = 0;
+        for (int row = 0; row < campaign.model()->rowCount(); ++row)
+            count += cell(campaign, row, UnitsModel::State) == state;
+        return count;
+    }
+};
+
+TEST_F(CampaignInTheWindow, IsStartedWatchedAndTheStudyOfAUnitOpenedFromItsRow) {
+    units(3);
+    CampaignWindow& campaign = openCampaign();
+    EXPECT_EQ(campaign.outField()->text(), at("results"));
+    EXPECT_EQ(rowsIn(campaign, "waiting"), 4);
+    EXPECT_FALSE(campaign.pageButton()->isEnabled());
+    QTest::mouseClick(campaign.startButton(), Qt::LeftButton);
+    EXPECT_TRUE(campaign.process().isRunning());
+    EXPECT_EQ(campaign.startButton()->text(), "Stop");
+    EXPECT_FALSE(campaign.outField()->isEnabled());
+    ASSERT_TRUE(waitUntilEnded(campaign, 3)) << campaign.told()->text().toStdString();
+    EXPECT_EQ(rowsIn(campaign, "failed"), 1);
+    EXPECT_TRUE(cell(campaign, 3, campaign.model()->faultColumn()).contains("missing.csv"));
+    EXPECT_LT(cell(campaign, 1, UnitsModel::ErrorAfter).toDouble(), 1);
+    EXPECT_EQ(cell(campaign, 1, UnitsModel::FirstAttribute), "B");
+    EXPECT_EQ(campaign.bar()->value(), 4);
+    EXPECT_TRUE(campaign.pageButton()->isEnabled());
+    EXPECT_TRUE(QFileInfo::exists(at("results/results.csv")));
+
+    campaign.chooseUnit("U2");
+    EXPECT_TRUE(campaign.openReportButton()->isEnabled());
+    QTest::mouseClick(campaign.openStudyButton(), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen() && document().before(); }, 20000));
+    EXPECT_EQ(document().title(), "U2");
+    ASSERT_TRUE(document().parameterValue("k"));
+    EXPECT_NEAR(*document().parameterValue("k"), 3, 0.01) << "it begins where the run of the unit ended";
+    EXPECT_TRUE(document().path().isEmpty()) << "nothing in the directory of results is overwritten";
+}
+
+TEST_F(CampaignInTheWindow, IsStoppedAndGoesOnWhereItWas) {
+    units(60);
+    CampaignWindow& campaign = openCampaign();
+    campaign.jobsField()->setValue(1);
+    campaign.startButton()->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return campaign.bar()->value() > 4; }, 30000));
+    campaign.startButton()->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !campaign.process().isRunning(); }, 30000));
+    EXPECT_TRUE(campaign.told()->text().contains("stopped")) << campaign.told()->text().toStdString();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return rowsIn(campaign, "done") > 2; }, 10000));
+    EXPECT_LT(rowsIn(campaign, "done"), 60);
+    campaign.startButton()->click();
+    ASSERT_TRUE(waitUntilEnded(campaign, 60));
+    EXPECT_FALSE(isTold(campaign));
+}
+
+TEST_F(CampaignInTheWindow, ThatIsFaultySaysWhyAndCannotBeStarted) {
+    units(1);
+    write("campaign.json", R"({"format": "analogon-campaign-1", "study": "lag", "units": "units.csv",
+        "command": "fit", "columns": {"unit": "serial", "files": {"stop": "file"}}})");
+    CampaignWindow& campaign = openCampaign();
+    EXPECT_TRUE(campaign.told()->text().contains("\"stop\"")) << campaign.told()->text().toStdString();
+    EXPECT_TRUE(campaign.told()->text().contains("Did you mean \"step\"?"));
+    EXPECT_FALSE(campaign.startButton()->isEnabled());
+    campaign.fileField()->setFocus();
+    campaign.outField()->setFocus();
+    EXPECT_TRUE(isTold(campaign)) << "it is not read again because its field is left";
+}
+
+TEST_F(CampaignInTheWindow, FitsASmallScreenInBothThemesAndLanguages) {
+    units(12);
+    QDir().mkpath(ANALOGON_PICTURES);
+    auto& application = *qobject_cast<QApplication*>(QApplication::instance());
+    for (const bool isGerman : {false, true}) {
+        Translator german;
+        if (isGerman && german.loadLanguage("de")) QCoreApplication::installTranslator(&german);
+        CampaignWindow& campaign = openCampaign();
+        if (!isGerman) campaign.startButton()->click();
+        ASSERT_TRUE(waitUntilEnded(campaign, 12)) << campaign.told()->text().toStdString();
+        campaign.resize(1000, 560);
+        campaign.chooseUnit("U3");
+        for (const bool isDark : {false, true}) {
+            style::apply(application, isDark ? style::Theme::Dark : style::Theme::Light);
+            QTest::qWait(1);
+            EXPECT_LE(campaign.minimumSizeHint().width(), 1000);
+            EXPECT_TRUE(campaign.grab().save(QStringLiteral(ANALOGON_PICTURES "/campaign%1%2.png")
+                                                 .arg(isGerman ? "-de" : "", isDark ? "-dark" : "")));
+        }
+        style::apply(application, style::Theme::Light);
+        campaign.close();
+        QTest::qWait(1);
+        QCoreApplication::removeTranslator(&german);
+    }
+}
+
+TEST_F(CampaignInTheWindow, IsFoundFromTheDirectoryOfItsResults) {
+    units(2);
+    {
+        CampaignWindow& campaign = openCampaign();
+        campaign.startButton()->click();
+        ASSERT_TRUE(waitUntilEnded(campaign, 2));
+        campaign.close();
+        QTest::qWait(1);
+    }
+    CampaignWindow& again = openCampaign("results/campaign.json");
+    EXPECT_EQ(again.fileField()->text(), at("campaign.json"));
+    EXPECT_EQ(again.outField()->text(), at("results"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return rowsIn(again, "done") == 2; }, 10000));
+}
+
+TEST_F(CampaignInTheWindow, AtWorkAsksBeforeItsWindowIsClosed) {
+    units(60);
+    CampaignWindow& campaign = openCampaign();
+    campaign.jobsField()->setValue(1);
+    campaign.startButton()->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return campaign.bar()->value() > 0; }, 30000));
+    campaign.close();
+    auto* box = campaign.findChild<QMessageBox*>();
+    ASSERT_TRUE(box);
+    EXPECT_TRUE(campaign.isVisible());
+    box->button(QMessageBox::Cancel)->click();
+    EXPECT_TRUE(campaign.isVisible() && campaign.process().isRunning());
+    campaign.startButton()->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !campaign.process().isRunning(); }, 30000));
+    campaign.close();
+    EXPECT_FALSE(campaign.isVisible());
+}
+
+TEST_F(CampaignInTheWindow, WithoutItsProgramSaysWhatIsMissing) {
+    units(1);
+    CampaignWindow& campaign = openCampaign();
+    campaign.process().setProgram(at("nothing-there"));
+    campaign.startButton()->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isTold(campaign); }, 10000));
+    EXPECT_EQ(campaign.startButton()->text(), "Start");
+    EXPECT_TRUE(campaign.startButton()->isEnabled());
+}
+
+TEST(CampaignOrders, AreTheArgumentsOfTheCommandLine) {
+    EXPECT_EQ(CampaignProcess::arguments({"c.json", "out", 4, true}),
+              (QStringList{"campaign", "c.json", "--out", "out", "--progress", "json", "--jobs", "4", "--retry"}));
+    EXPECT_EQ(CampaignProcess::arguments({"c.json", "out", 4, false, true, "--time=60"}),
+              (QStringList{"campaign", "c.json", "--out", "out", "--progress", "json", "--slurm=--time=60"}));
+}
+
+TEST(UnitsModel, SortsFiguresByTheirSizeAndFiltersByName) {
+    auto campaign = std::make_shared<Campaign>();
+    auto look = std::make_shared<CampaignLook>();
+    for (int i = 0; i < 10000; ++i) {
+        CampaignUnit unit;
+        unit.name = "unit " + std::to_string(i);
+        UnitRecord record;
+        record.errorBefore = i;
+        record.errorAfter = 10000 - i;
+        look->units[unit.name] = {UnitState::Done, record, {}, {}};
+        campaign->units.push_back(std::move(unit));
+    }
+    UnitsModel model;
+    model.setCampaign(campaign);
+    model.setLook(look);
+    QSortFilterProxyModel sorted;
+    sorted.setSourceModel(&model);
+    sorted.setSortRole(UnitsModel::SortRole);
+    sorted.setFilterKeyColumn(-1);
+    sorted.sort(UnitsModel::ErrorAfter);
+    EXPECT_EQ(sorted.index(0, UnitsModel::Unit).data().toString(), "unit 9999");
+    sorted.setFilterFixedString("unit 999");
+    EXPECT_EQ(sorted.rowCount(), 11);
+}
+
+}  // namespace
+}  // namespace analogon::ui
