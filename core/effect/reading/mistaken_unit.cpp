@@ -7,13 +7,9 @@
 #include <set>
 
 #include "core/base/unit.hpp"
-#include "core/effect/block/trial.hpp"
-#include "core/effect/thresholds.hpp"
+#include "core/effect/reading/misread.hpp"
 
 namespace analogon {
-
-using namespace threshold::mistakenUnit;
-
 namespace {
 
 /// What test benches record in, by kind, the commoner first: every other one of the same kind may be meant.
@@ -128,20 +124,9 @@ bool isOfSameNumbers(const MistakenUnit& a, const MistakenUnit& b) {
     return a.recordings == b.recordings && a.columns == b.columns;
 }
 
-/// Whether what one leaves more than the other is less than tells them apart.
-bool leavesAsLittle(const NullModel& model, const NullModel& best) {
-    const double rows = static_cast<double>(best.fit.optimum.residuals.size());
-    const double variance = best.sumOfSquares() / std::max(1.0, rows - best.parameterCount());
-    return independentShare(best, best.fit) * (model.sumOfSquares() - best.sumOfSquares()) <
-           equivalenceMargin * variance;
-}
-
-/// That which leaves least; of units for the same numbers that leave as little, the commonest, with the others.
+/// The first, which leaves least; of units for the same numbers that leave as little, the commonest, with the others.
 std::optional<MistakenUnit> likeliest(std::vector<MistakenUnit> found) {
     if (found.empty()) return std::nullopt;
-    std::stable_sort(found.begin(), found.end(), [](const MistakenUnit& a, const MistakenUnit& b) {
-        return a.read.sumOfSquares() < b.read.sumOfSquares();
-    });
     std::vector<MistakenUnit> alike;
     for (MistakenUnit& each : found)
         if (alike.empty() || (isOfSameNumbers(each, alike.front()) && leavesAsLittle(each.read, alike.front().read)))
@@ -176,40 +161,23 @@ Text channelWords(const EstimationTask& task, const MistakenUnit& mistake) {
 
 std::optional<MistakenUnit> mistakenUnit(const NullModel& null, const Variant& given, const FitOptions& options,
                                          const Progress& progress) {
-    if (isNoise(null) || !(excess(null) > leastEvidence)) return std::nullopt;
-    struct Likely {
-        MistakenUnit mistake;
-        Variant variant;
-        std::vector<Eigen::VectorXd> noise;
-        double promised{};
+    if (!mayBeMisread(null)) return std::nullopt;
+    std::vector<MistakenUnit> possible = possibleMistakes(given.task);
+    const auto reread = [&](std::size_t number) {
+        const MistakenUnit& mistake = possible[number];
+        Reread as{given, noiseRead(null, mistake)};
+        as.variant.task = readAsLikely(given.task, mistake);
+        return as;
     };
-    std::vector<Likely> likely;
-    for (MistakenUnit& mistake : possibleMistakes(given.task)) {
+    std::vector<PromisingReading> promising;
+    for (std::size_t i = 0; i < possible.size(); ++i) {
         if (progress.stopRequested()) return std::nullopt;
-        Likely each{std::move(mistake), given, {}, 0};
-        each.variant.task = readAsLikely(given.task, each.mistake);
-        each.noise = noiseRead(null, each.mistake);
-        const Outcome<PreparedTask> prepared = prepareAt(each.variant, each.noise);
-        if (!prepared) continue;
-        const Linearisation at =
-            linearise(prepared->problem, prepared->problem.startValues(), true, {}, options.simulation, progress);
-        if (!at.ok || !at.jacobian.allFinite()) continue;
-        each.promised = OrthogonalProjector(at.jacobian)(at.residuals).squaredNorm();
-        if (each.promised < null.sumOfSquares()) likely.push_back(std::move(each));
+        promising.push_back({i, promisedLeft(reread(i), options.simulation, progress)});
     }
-    std::stable_sort(likely.begin(), likely.end(),
-                     [](const Likely& a, const Likely& b) { return a.promised < b.promised; });
-    if (likely.size() > mostFitted) likely.resize(mostFitted);
     std::vector<MistakenUnit> found;
-    for (Likely& each : likely) {
-        Outcome<NullModel> read = fitNull(each.variant, each.noise, NoiseLevel::Keep, options, progress);
-        if (!read || progress.stopRequested()) continue;
-        const Acceptance gain = examine(null, read->fit, 0, 0);
-        if (!gain.accepted() || !(gain.share > leastShare)) continue;
-        if (!isNoise(*read) && !(read->sumOfSquares() < mostLeft * null.sumOfSquares())) continue;
-        if (!(std::max(gain.evidence, gain.effective) > leastEvidence)) continue;
-        found.push_back(std::move(each.mistake));
-        found.back().read = std::move(*read);
+    for (FittedReading& fitted : readingsThatExplain(null, std::move(promising), reread, options, progress)) {
+        found.push_back(std::move(possible[fitted.number]));
+        found.back().read = std::move(fitted.read);
     }
     return likeliest(std::move(found));
 }

@@ -1,0 +1,56 @@
+#include "core/effect/reading/misread.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/effect/model/evidence.hpp"
+#include "core/effect/thresholds.hpp"
+
+namespace analogon {
+
+using namespace threshold::mistakenUnit;
+
+bool mayBeMisread(const NullModel& null) { return !isNoise(null) && excess(null) > leastEvidence; }
+
+double promisedLeft(const Reread& reread, const SimulationOptions& simulation, const Progress& progress) {
+    constexpr double cannotBe = std::numeric_limits<double>::infinity();
+    const Outcome<PreparedTask> prepared = prepareAt(reread.variant, reread.noise);
+    if (!prepared) return cannotBe;
+    const Linearisation at =
+        linearise(prepared->problem, prepared->problem.startValues(), true, {}, simulation, progress);
+    if (!at.ok || !at.jacobian.allFinite()) return cannotBe;
+    return OrthogonalProjector(at.jacobian)(at.residuals).squaredNorm();
+}
+
+std::vector<FittedReading> readingsThatExplain(const NullModel& null, std::vector<PromisingReading> promising,
+                                               const std::function<Reread(std::size_t)>& reread,
+                                               const FitOptions& options, const Progress& progress) {
+    std::erase_if(promising, [&](const PromisingReading& p) { return !(p.left < null.sumOfSquares()); });
+    std::stable_sort(promising.begin(), promising.end(),
+                     [](const PromisingReading& a, const PromisingReading& b) { return a.left < b.left; });
+    if (promising.size() > mostFitted) promising.resize(mostFitted);
+    std::vector<FittedReading> found;
+    for (const PromisingReading& each : promising) {
+        const Reread start = reread(each.number);
+        Outcome<NullModel> read = fitNull(start.variant, start.noise, NoiseLevel::Keep, options, progress);
+        if (!read || progress.stopRequested()) continue;
+        const Acceptance gain = examine(null, read->fit, 0, 0);
+        if (!gain.accepted() || !(gain.share > leastShare)) continue;
+        if (!isNoise(*read) && !(read->sumOfSquares() < mostLeft * null.sumOfSquares())) continue;
+        if (!(std::max(gain.evidence, gain.effective) > leastEvidence)) continue;
+        found.push_back({each.number, std::move(*read)});
+    }
+    std::stable_sort(found.begin(), found.end(), [](const FittedReading& a, const FittedReading& b) {
+        return a.read.sumOfSquares() < b.read.sumOfSquares();
+    });
+    return found;
+}
+
+bool leavesAsLittle(const NullModel& read, const NullModel& best) {
+    const double rows = static_cast<double>(best.fit.optimum.residuals.size());
+    const double variance = best.sumOfSquares() / std::max(1.0, rows - best.parameterCount());
+    return independentShare(best, best.fit) * (read.sumOfSquares() - best.sumOfSquares()) <
+           equivalenceMargin * variance;
+}
+
+}  // namespace analogon
