@@ -36,13 +36,12 @@ bool isSimpler(const SearchContext& search, const Node& plain, const Node& than,
 
 /// The model as given beside the recordings as they are now.
 Outcome<Done> beginAnew(SearchContext& search, NullModel& base) {
-    search.frontier.beginsAnew = search.courses.isSought = false;
+    search.frontier.beginsAnew = false;
+    search.courses = {};
     search.frontier.opening.reset();
     search.frontier.visited.clear();
     search.frontier.lawless.clear();
     search.frontier.otherEnds.clear();
-    search.courses.change.reset();
-    search.courses.dependence.reset();
     base.variant.task.recordings = search.readings.searched.task.recordings;
     Outcome<NullModel> next = fitNull(base.variant, base.noise, NoiseLevel::Estimate, search.fit, search.progress);
     if (!next) return next.diagnostics();

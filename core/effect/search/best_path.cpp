@@ -152,7 +152,7 @@ Outcome<Node> bestPathFrom(SearchContext& search, NullModel& base) {
     const Round first = firstRound(search, base);
     Node best{base, {}};
     if (search.progress.stopRequested()) return best;
-    if (isChangeAlone(search, base, first))
+    if (isCourseAlone(search, base, first))
         return bareOf(search, base, first, phrase("a parameter that changes is the better account"));
     std::vector<std::size_t> others;
     if (first.chosen) others = otherBeginnings(search, base, first);
@@ -166,7 +166,7 @@ Outcome<Node> bestPathFrom(SearchContext& search, NullModel& base) {
     const bool isOdd = isAtItsEnd || std::any_of(found.begin(), found.end(),
                                                  [&](const PlacedEffect& e) { return lacksAPart(e, best.null.fit); });
     if (!hasMore && !isOdd && (isNoise(best.null) || isColouredNoise(search, best.null))) return best;
-    if (!isNoise(best.null) && isChangeAll(search, base, best.null)) return best;
+    if (!isNoise(best.null) && isCourseAll(search, base, best.null)) return best;
 
     addUnprovenPaths(search, best, base, first);
     if (search.frontier.beginsAnew) return best;

@@ -40,7 +40,7 @@ bool isBetterThan(const NullModel& base, const NullModel& with, const Change& ch
 }
 
 /// What the best change explains to first order.
-double promisedByChange(const NullModel& base) {
+double promisedByCourse(const NullModel& base) {
     return std::max(explainedByChange(base), explainedByDependence(base));
 }
 
@@ -57,7 +57,7 @@ bool isBorneOut(const NullModel& base, const Change& change, const SimulationOpt
 
 }  // namespace
 
-void seekChange(SearchContext& search, const NullModel& base) {
+void seekCourses(SearchContext& search, const NullModel& base) {
     if (search.courses.isSought || isNoise(base) || search.progress.stopRequested()) return;
     search.courses.isSought = true;
     search.say("reconsider", phrase("parameters that change"), -1);
@@ -78,25 +78,31 @@ void seekChange(SearchContext& search, const NullModel& base) {
             {{"explained", search.courses.dependence->explained}, {"slope", search.courses.dependence->slope}}, "best");
 }
 
-bool isChangeAll(SearchContext& search, const NullModel& base, const NullModel& with, double leastGain) {
-    seekChange(search, base);
+bool isCourseAll(SearchContext& search, const NullModel& base, const NullModel& with, double leastGain) {
+    seekCourses(search, base);
     const auto isAll = [&](const auto& change) {
         return change && isNoise(base.channels, change->fit) && isBetterThan(base, with, *change, leastGain);
     };
     return isAll(search.courses.change) || isAll(search.courses.dependence);
 }
 
-bool isChangeAlone(SearchContext& search, const NullModel& base, const Round& first) {
+bool isCourseAlone(SearchContext& search, const NullModel& base, const Round& first) {
     if (!first.chosen || !(excess(base) > beyondDoubt)) return false;
     const Trial& winner = first.trials[*first.chosen];
-    if (isNoise(base.channels, winner.fit) || !(promisedByChange(base) > leastOfRest * excess(base))) return false;
-    return isChangeAll(search, base, base.with(winner.variant, winner.fit), beyondDoubt);
+    if (isNoise(base.channels, winner.fit) || !(promisedByCourse(base) > leastOfRest * excess(base))) return false;
+    return isCourseAll(search, base, base.with(winner.variant, winner.fit), beyondDoubt);
 }
 
-void settleChange(SearchContext& search, const NullModel& base, const NullModel& with) {
+Text betterAccount(const Courses& courses) {
+    return courses.change
+               ? phrase("{} that changes in mid run is the better account", courses.change->parameter)
+               : phrase("{} that moves with a recorded channel is the better account", courses.dependence->parameter);
+}
+
+void settleCourses(SearchContext& search, const NullModel& base, const NullModel& with) {
     // hardly anything outdoes effects that leave noise
-    if (!search.courses.isSought && isNoise(with) && !(promisedByChange(base) > farLess * excess(base))) return;
-    seekChange(search, base);
+    if (!search.courses.isSought && isNoise(with) && !(promisedByCourse(base) > farLess * excess(base))) return;
+    seekCourses(search, base);
     const auto settle = [&](auto& change) {
         if (!change) return;
         const bool isBetter = isBetterThan(base, with, *change);

@@ -227,13 +227,9 @@ void Run::concludeBestPath() {
     std::vector<Node> ends{end_.node};
     ends.insert(ends.end(), search_.frontier.otherEnds.begin(), search_.frontier.otherEnds.end());
     if (search_.frontier.whole) ends.push_back(search_.frontier.whole->node);
-    settleChange(search_, base, end_.node.null);
+    settleCourses(search_, base, end_.node.null);
     if (!courses.areEmpty()) {
-        takeOutAll(
-            search_, end_.node, base,
-            courses.change
-                ? phrase("{} that changes in mid run is the better account", courses.change->parameter)
-                : phrase("{} that moves with a recorded channel is the better account", courses.dependence->parameter));
+        takeOutAll(search_, end_.node, base, betterAccount(courses));
         end_.finding.final = end_.finding.baseline;
     }
     end_.conclusion = conclude(search_, end_.node, base, courses.areEmpty());

@@ -11,20 +11,29 @@ namespace {
 
 TEST(CourseSearch, SeeksNoChangeBehindNoise) {
     WarmSearch of(laggingBody(0));
-    seekChange(of.search, of.base);
+    seekCourses(of.search, of.base);
     EXPECT_FALSE(of.search.courses.isSought);
-    EXPECT_FALSE(isChangeAll(of.search, of.base, of.base));
-    settleChange(of.search, of.base, of.base);
+    EXPECT_FALSE(isCourseAll(of.search, of.base, of.base));
+    settleCourses(of.search, of.base, of.base);
     EXPECT_TRUE(of.search.courses.areEmpty());
 }
 
 TEST(CourseSearch, KeepsNoChangeThatExplainsNoMoreThanAnEffect) {
     WarmSearch of(laggingBody(3));
     const Node node = lagFound(of);
-    seekChange(of.search, of.base);
+    seekCourses(of.search, of.base);
     EXPECT_TRUE(of.search.courses.isSought);
-    settleChange(of.search, of.base, node.null);
+    settleCourses(of.search, of.base, node.null);
     EXPECT_TRUE(of.search.courses.areEmpty());
+}
+
+TEST(CourseSearch, SaysWhichCourseIsTheBetterAccount) {
+    Courses courses;
+    courses.dependence.emplace().parameter = "load.b";
+    EXPECT_EQ(betterAccount(courses), "load.b that moves with a recorded channel is the better account");
+    courses = {};
+    courses.change.emplace().parameter = "rotor.J";
+    EXPECT_EQ(betterAccount(courses), "rotor.J that changes in mid run is the better account");
 }
 
 /// A body whose joint passes on more from the middle of the record on.
@@ -48,8 +57,8 @@ EstimationTask bodyThatChanges(double before, double after) {
 
 TEST(CourseSearch, KeepsAChangeThatAccountsForAllThatIsLeft) {
     WarmSearch of(bodyThatChanges(0.2, 0.3));
-    EXPECT_TRUE(isChangeAll(of.search, of.base, of.base));
-    settleChange(of.search, of.base, of.base);
+    EXPECT_TRUE(isCourseAll(of.search, of.base, of.base));
+    settleCourses(of.search, of.base, of.base);
     ASSERT_TRUE(of.search.courses.change);
     EXPECT_EQ(of.search.courses.change->parameter, "joint.G");
     EXPECT_NEAR(of.search.courses.change->time, 50, 0.5);
@@ -61,8 +70,8 @@ TEST(CourseSearch, KeepsAChangeThatAccountsForAllThatIsLeft) {
 TEST(CourseSearch, TakesNoChangeForAllBesideEffectsThatExplainAsMuch) {
     WarmSearch of(laggingBody(3));
     const Node node = lagFound(of);
-    EXPECT_FALSE(isChangeAll(of.search, of.base, node.null));
-    EXPECT_FALSE(isChangeAlone(of.search, of.base, Round())) << "nothing was chosen";
+    EXPECT_FALSE(isCourseAll(of.search, of.base, node.null));
+    EXPECT_FALSE(isCourseAlone(of.search, of.base, Round())) << "nothing was chosen";
 }
 
 }  // namespace
