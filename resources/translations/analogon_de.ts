@@ -5729,8 +5729,8 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Es wurde kein Effekt gesucht</translation>
     </message>
     <message>
-        <source>Numbers in another unit</source>
-        <translation>Zahlen in einer anderen Einheit</translation>
+        <source>A recording is not what it says</source>
+        <translation>Eine Aufzeichnung ist nicht, was sie angibt</translation>
     </message>
     <message>
         <source>Unexplained structure</source>
@@ -11702,6 +11702,34 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>the numbers of {} look like {} (or {}: other parameters make up for it) and not like the {} that is told</source>
         <translation>die Zahlen von {} sehen nach {} aus (oder nach {}: andere Parameter gleichen es aus) und nicht nach {}, wie angegeben</translation>
+    </message>
+    <message>
+        <source>{} seems to be recorded with the wrong sign</source>
+        <translation>{} ist anscheinend mit falschem Vorzeichen aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>{} seems to be recorded with the wrong sign in '{}'</source>
+        <translation>{} ist in „{}“ anscheinend mit falschem Vorzeichen aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>{} and {} seem to be exchanged</source>
+        <translation>{} und {} sind anscheinend vertauscht</translation>
+    </message>
+    <message>
+        <source>{} and {} seem to be exchanged in '{}'</source>
+        <translation>{} und {} sind in „{}“ anscheinend vertauscht</translation>
+    </message>
+    <message>
+        <source>{}, or {} (the data do not tell which)</source>
+        <translation>{}, oder {} (was davon, sagen die Daten nicht)</translation>
+    </message>
+    <message>
+        <source>{}: {}; give the column &quot;scale&quot;: -1 in the study, and search again</source>
+        <translation>{}: {}; der Spalte in der Studie &quot;scale&quot;: -1 geben und noch einmal suchen</translation>
+    </message>
+    <message>
+        <source>{}: {}; give each channel the other's column in the study, and search again</source>
+        <translation>{}: {}; jedem Kanal in der Studie die Spalte des anderen geben und noch einmal suchen</translation>
     </message>
     <message>
         <source>read so, the model as it is leaves an error of {:.3g} % instead of {:.3g} %</source>

@@ -115,7 +115,8 @@ FindingWords findingWords(const Finding& finding, RunKind kind) {
     }
     if (!finding.notSearched.empty() && finding.remainders.empty())
         return {tr("No effect was looked for"), inWords(finding.notSearched), false};
-    if (!finding.notSearched.empty()) return {tr("Numbers in another unit"), inWords(finding.notSearched), false};
+    if (!finding.notSearched.empty())
+        return {tr("A recording is not what it says"), inWords(finding.notSearched), false};
     return {tr("Unexplained structure"), tr("The residual is not noise, and no effect of the library explains it."),
             false};
 }

@@ -1,5 +1,7 @@
 #include "core/effect/search/run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -165,24 +167,43 @@ Outcome<Done> Run::tellAsGiven() {
     return Done{};
 }
 
+/// Whether a reading may only make up for a record that begins elsewhere than the model.
+bool Run::isOfBeginning(const NullModel& read) const {
+    const std::optional<Begun> begun = findBeginning(search_, end_.base, Against::Noise, 0);
+    return begun && begun->sumOfSquares < read.sumOfSquares();
+}
+
 /// Whether numbers are in another unit than the recordings say; what is found is told of that then.
 bool Run::isOfMistakenUnit() {
     const Variant given{search_.readings.searched.task, {}, {}};
     const auto mistake = mistakenUnit(end_.base, given, search_.fit, search_.progress);
     if (!mistake) return false;
-    // numbers in another unit may only make up for a record that begins elsewhere than the model
-    const std::optional<Begun> begun = findBeginning(search_, end_.base, Against::Noise, 0);
-    const bool isOfBeginning = begun && begun->sumOfSquares < mistake->read.sumOfSquares();
+    const bool isAccepted = !isOfBeginning(mistake->read);
     search_.journal.add("reading", "unit " + mistake->unit + " as " + mistake->likely,
-                        {{"sum_of_squares", mistake->read.sumOfSquares()}}, isOfBeginning ? "set aside" : "accepted");
-    if (isOfBeginning) return false;
-    end_.finding = besideMistake(search_, std::move(end_.finding), end_.base, *mistake);
-    return true;
+                        {{"sum_of_squares", mistake->read.sumOfSquares()}}, isAccepted ? "accepted" : "set aside");
+    if (isAccepted) end_.finding = besideMistake(search_, std::move(end_.finding), end_.base, *mistake);
+    return isAccepted;
+}
+
+/// Whether channels are exchanged, or one is of the wrong sign; what is found is told of that then.
+bool Run::isOfMistakenWiring() {
+    const Variant given{search_.readings.searched.task, {}, {}};
+    const std::vector<MistakenWiring> alike = mistakenWirings(end_.base, given, search_.fit, search_.progress);
+    if (alike.empty()) return false;
+    const bool isAccepted = !isOfBeginning(alike.front().read);
+    for (const MistakenWiring& mistake : alike)
+        search_.journal.add(
+            "reading",
+            (mistake.isOfSign() ? "sign of " : "exchanged ") + fmt::format("{}", fmt::join(mistake.channels, ", ")),
+            {{"recording", mistake.recordings.front()}, {"sum_of_squares", mistake.read.sumOfSquares()}},
+            isAccepted ? "accepted" : "set aside");
+    if (isAccepted) end_.finding = besideMistake(search_, std::move(end_.finding), end_.base, alike);
+    return isAccepted;
 }
 
 bool Run::isNotToBeSearched() {
     Text why = nothingMoves(search_.readings.full.task, end_.finding.baseline);
-    if (why.empty() && isOfMistakenUnit()) return true;
+    if (why.empty() && (isOfMistakenUnit() || isOfMistakenWiring())) return true;
     if (why.empty()) why = tooFewSamples(end_.base);
     if (why.empty()) return false;
     end_.finding.kind = FindingKind::Unexplained;

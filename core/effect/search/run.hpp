@@ -27,7 +27,9 @@ private:
     Outcome<Done> fitAtLast();
 
     Outcome<Done> fitOnAll();
+    bool isOfBeginning(const NullModel& read) const;
     bool isOfMistakenUnit();
+    bool isOfMistakenWiring();
     void keepAsInterrupted();
     bool isAsGiven() const;
     bool isOpen() const;

@@ -35,6 +35,7 @@ struct Shaft {
     bool isHeld{};                   // the command, between its samples
     double spark{};                  // [rad/s] by which every 150th sample of the tachometer is wrong
     double late{};                   // [s] that the column of the command is stamped
+    bool isTurned{};                 // the sign of the tachometer
     int first{}, recorded{samples};  // samples of the recording
     std::string more{};              // of the experiment
 };
@@ -151,7 +152,8 @@ end Rotor;
         double error = scatter(random);
         for (int k = shaft.first; k < shaft.recorded; ++k) {
             csv << k * step << ',' << commandOf(shaft, std::max(0.0, k * step - shaft.late)) << ','
-                << speed[static_cast<std::size_t>(k)] + error + (k % 150 == 40 ? shaft.spark : 0);
+                << (shaft.isTurned ? -1 : 1) * speed[static_cast<std::size_t>(k)] + error +
+                       (k % 150 == 40 ? shaft.spark : 0);
             error = memory * error + std::sqrt(1 - memory * memory) * scatter(random);
             if (oil) csv << ',' << oil(k * step);
             csv << '\n';
@@ -2116,6 +2118,100 @@ TEST_F(Discovery, DrawsAHardLimitSharpEnoughToLeaveNoise) {
     EXPECT_NEAR(1 / finding.effects.front().parameters.front().value, 0.6, 0.001);
     EXPECT_NEAR(valueOf(finding.effects.front(), "limit"), 0.6, 0.001);
     EXPECT_EQ(finding.kind, FindingKind::Effect);
+}
+
+// Its two wires were exchanged, or those of the drive: no effect is looked for beside that.
+TEST_F(Discovery, SaysThatATachometerIsOfTheWrongSign) {
+    Shaft shaft{0.02, [](double, double w, double) { return 0.03 * w; }};
+    shaft.isTurned = true;
+    const Finding finding = search(shaft);
+    EXPECT_EQ(finding.kind, FindingKind::Unexplained);
+    EXPECT_TRUE(finding.effects.empty());
+    const std::string& said = finding.notSearched.english();
+    EXPECT_NE(said.find("w ('w') seems to be recorded with the wrong sign"), std::string::npos) << said;
+    EXPECT_NE(said.find("tau ('tau') seems to be recorded with the wrong sign"), std::string::npos) << said;
+    EXPECT_NE(said.find("(the data do not tell which)"), std::string::npos) << said;
+}
+
+/// A heater in a housing, each with a thermocouple.
+class DiscoveryInAHousing : public Discovery {
+protected:
+    struct Thermocouples {
+        bool areExchanged{};
+        double lag{};  // [s] of that in the heater
+    };
+
+    Finding searchHousing(const Thermocouples& thermocouples) {
+        put("model.mo", R"(model Housing
+  Analogon.Interfaces.RealInput P(unit="W");
+  Analogon.Interfaces.RealOutput T_core(unit="K");
+  Analogon.Interfaces.RealOutput T_shell(unit="K");
+  Analogon.Sources.PrescribedHeatFlow heater;
+  Analogon.Thermal.HeatCapacitor core(C=40, T_start=293.15);
+  Analogon.Thermal.ThermalConductor wall(G=3);
+  Analogon.Thermal.HeatCapacitor shell(C=100, T_start=293.15);
+  Analogon.Thermal.ThermalConductor loss(G=1);
+  Analogon.Sources.FixedTemperature room(T=293.15);
+  Analogon.Sensors.TemperatureSensor inside;
+  Analogon.Sensors.TemperatureSensor outside;
+equation
+  connect(P, heater.Q_flow);
+  connect(heater.port, core.port);
+  connect(core.port, wall.port_a);
+  connect(wall.port_b, shell.port);
+  connect(shell.port, loss.port_a);
+  connect(loss.port_b, room.port);
+  connect(core.port, inside.port);
+  connect(shell.port, outside.port);
+  connect(inside.T, T_core);
+  connect(outside.T, T_shell);
+end Housing;
+)");
+        put("study.json", R"({"format": "analogon-study-1", "class": "Housing",
+  "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
+                   "inputs": {"P": "P"}, "outputs": {"T_core": "TC1", "T_shell": "TC2"}}],
+  "parameters": {"core.C": {"fit": true, "min": 4, "max": 400}, "wall.G": {"fit": true, "min": 0.3, "max": 30},
+                 "shell.C": {"fit": true, "min": 10, "max": 1000}, "loss.G": {"fit": true, "min": 0.1, "max": 10}}})");
+        constexpr double room = 20;  // [degC]
+        std::mt19937 random(6);
+        std::normal_distribution<double> scatter(0, 0.1);
+        std::ofstream csv = recording("t [s],P [W],TC1 [degC],TC2 [degC]");
+        double core = room, shell = room, shown = room;
+        const auto power = [](int k) { return 60 + 40 * excitation(0.04 * k); };
+        for (int k = 0; k < 1000; ++k) {
+            const double first = (thermocouples.lag > 0 ? shown : core) + scatter(random);
+            const double second = shell + scatter(random);
+            csv << k << ',' << power(k) << ',' << (thermocouples.areExchanged ? second : first) << ','
+                << (thermocouples.areExchanged ? first : second) << '\n';
+            constexpr int inner = 50;
+            for (int m = 0; m < inner; ++m) {
+                const double a = (m + 0.5) / inner, through = 2.5 * (core - shell);
+                if (thermocouples.lag > 0) shown += (core - shown) / thermocouples.lag / inner;
+                core += ((1 - a) * power(k) + a * power(k + 1) - through) / 50 / inner;
+                shell += (through - 1.4 * (shell - room)) / 120 / inner;
+            }
+        }
+        csv.close();
+        return discovered();
+    }
+};
+
+TEST_F(DiscoveryInAHousing, SaysThatTwoThermocouplesAreExchanged) {
+    const Finding finding = searchHousing({true});
+    EXPECT_EQ(finding.kind, FindingKind::Unexplained);
+    EXPECT_TRUE(finding.effects.empty());
+    const std::string& said = finding.notSearched.english();
+    EXPECT_EQ(said.find("T_core ('TC1') and T_shell ('TC2') seem to be exchanged: read so"), 0u) << said;
+    EXPECT_NE(said.find("give each channel the other's column"), std::string::npos) << said;
+}
+
+TEST_F(DiscoveryInAHousing, TakesALagOfOneThermocoupleForNoExchange) {
+    const Finding finding = searchHousing({false, 8});
+    EXPECT_EQ(finding.kind, FindingKind::Effect);
+    EXPECT_TRUE(finding.notSearched.empty()) << finding.notSearched;
+    ASSERT_EQ(finding.effects.size(), 1u);
+    EXPECT_EQ(finding.effects[0].kind, "sensor.lag");
+    EXPECT_NEAR(finding.effects[0].parameters.front().value, 8, 0.5);
 }
 
 }  // namespace

@@ -39,5 +39,27 @@ TEST(BesideMistake, SaysTheUnitThatTheNumbersLookLikeAndSearchesForNothing) {
     EXPECT_THAT(besideMistake(of.search, begun, of.base, mistake).notSearched.english(), HasSubstr("(or degF"));
 }
 
+TEST(BesideMistake, SaysWhichChannelsAreMeantOtherwiseAndWhereToCorrectThem) {
+    EstimationTask task = laggingBody(0);
+    task.recordings.edit().front().inputs *= -1;
+    WarmSearch of(task);
+    MistakenWiring sign{{0}, {"P"}, {}};
+    Outcome<NullModel> read = fitNull({readAsMeant(task, sign), {}, {}}, {}, NoiseLevel::Estimate, of.search.fit, {});
+    ASSERT_TRUE(read) << format(read.diagnostics());
+    sign.read = std::move(*read);
+    Finding begun;
+    begun.baseline.experiments.resize(1);
+    const std::string said = besideMistake(of.search, begun, of.base, {sign}).notSearched.english();
+    EXPECT_THAT(said, HasSubstr("P seems to be recorded with the wrong sign: read so, the model as it is leaves"));
+    EXPECT_THAT(said, HasSubstr("give the column \"scale\": -1 in the study"));
+    const MistakenWiring exchanged{{0}, {"P", "T"}, sign.read};
+    const Finding either = besideMistake(of.search, begun, of.base, {exchanged, sign});
+    EXPECT_EQ(either.kind, FindingKind::Unexplained);
+    EXPECT_TRUE(either.effects.empty());
+    EXPECT_EQ(either.warnings.at(0), either.notSearched);
+    EXPECT_THAT(either.notSearched.english(), HasSubstr("P and T seem to be exchanged, or P seems to be recorded with "
+                                                        "the wrong sign (the data do not tell which)"));
+}
+
 }  // namespace
 }  // namespace analogon
