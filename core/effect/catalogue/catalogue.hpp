@@ -15,9 +15,9 @@
 ///     way = "attach",                   // attach | insert | specialise | bridge
 ///     ports = {"flange"},               // attach: its connector; insert: the two sides {"flange_a","flange_b"},
 ///                                       // for signals {"u","y"}; bridge: one for each node; specialise: absent
-///     flexible = true,                  // its form may follow what other effects do: chosen only where it leaves
-///     noise behindSource = true,              // insert: only where the first side is what a block turns something
-///     else into at = "output",                    // signals only: insert at a top-level "output" or "input"
+///     flexible = true,                  // its form may follow what other effects do: chosen only where noise is left
+///     behindSource = true,              // insert: only where the first side is what a block turns something else into
+///     at = "output",                    // signals only: insert at a top-level "output" or "input"
 ///     inSignalUnit = {"b"},             // signals only: parameters in the unit of the signal
 ///     inSignalRate = {"a"},             // and those in that unit per second
 ///     strength = "tau_c",               // 0 = off

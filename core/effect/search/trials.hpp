@@ -19,10 +19,10 @@ Outcome<std::vector<Candidate>> candidatesIn(const SearchContext& search, const 
 /// All of them beside a model; an equation that is the twin of a name of the wrong sign is refused with it.
 std::vector<Screened> screenAll(const SearchContext& search, const NullModel& null);
 
-/// Refits candidates, each from its best start and, where that may change what is chosen, from further ones. Counts as
-/// work of the search; in the order of `chosen`.
 /// Lean: without the slopes of their fits, which are many and of which few are asked for.
 enum class TrialSize { Whole, Lean };
+/// Refits candidates, each from its best start and, where that may change what is chosen, from further ones. Counts as
+/// work of the search; in the order of `chosen`.
 std::vector<Trial> tryThese(SearchContext& search, const NullModel& null, const std::vector<const Screened*>& chosen,
                             int iterations, int starts, TrialSize size = TrialSize::Whole);
 
