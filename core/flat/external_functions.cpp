@@ -90,7 +90,7 @@ private:
     }
     std::optional<std::string> text(std::size_t i) {
         if (i >= arguments_.size() || arguments_[i].texts.size() != 1) return std::nullopt;
-        return arguments_[i].texts[0];
+        return arguments_[i].isOpen ? std::nullopt : std::optional(arguments_[i].texts[0]);
     }
     const ExternalTable* object(std::size_t i) {
         if (i >= arguments_.size() || !arguments_[i].isObject()) return nullptr;
@@ -268,22 +268,33 @@ private:
 
     /// `print(string, fileName)`: told once, when the model is read. A file is never written.
     bool print() {
-        const auto message = text(0), file = text(1);
-        if (!message || message->empty()) return true;
+        const auto file = text(1);
+        if (arguments_.empty() || arguments_[0].texts.size() != 1 || arguments_[0].texts[0].empty()) return true;
+        const std::string& message = arguments_[0].texts[0];
         const bool isFile = file && !file->empty();
-        work_.messages.warning(isFile ? phrase("the model prints to '{}', which is not written: {}", *file, *message)
-                                      : phrase("the model prints: {}", *message),
+        work_.messages.warning(isFile ? phrase("the model prints to '{}', which is not written: {}", *file, message)
+                                      : phrase("the model prints: {}", message),
                                call_.span);
         return true;
     }
 
     // --------------------------------------------------------------------------------------------------- strings
 
+    /// A seed by the name of a component is another one under another name, and in tools that tell names otherwise.
+    bool hash(const std::string& of) {
+        if (work_.instanceNames.contains(of))
+            work_.messages.warning(
+                phrase("random numbers follow from the name '{}': under another name, or in another tool, they differ",
+                       of),
+                call_.span, phrase("give the component a seed of its own, as with useAutomaticLocalSeed = false"));
+        return give(pool_.constant(hashOf(of)), FlatType::Integer);
+    }
+
     bool strings(const std::string& what) {
         const auto first = text(0);
         if (!first) return refuse(phrase("the text must be known before the simulation"));
         if (what == "length") return give(pool_.constant(static_cast<double>(first->size())), FlatType::Integer);
-        if (what == "hashString") return give(pool_.constant(hashOf(*first)), FlatType::Integer);
+        if (what == "hashString") return hash(*first);
         if (what == "skipWhiteSpace") {
             const auto from = number(1);
             if (!from || *from < 1) return refuse(phrase("the text must be known before the simulation"));

@@ -49,8 +49,9 @@ struct Flattening {
     std::unique_ptr<Binder> binder;
     std::unique_ptr<Connections> connections;
     std::unique_ptr<Events> events;
-    std::vector<ExternalTable> tables;  // the external objects
-    std::set<std::string> free;         // parameters that stay themselves in the ordinates of tables
+    std::vector<ExternalTable> tables;    // the external objects
+    std::set<std::string> free;           // parameters that stay themselves in the ordinates of tables
+    std::set<std::string> instanceNames;  // that were asked for by getInstanceName()
 
     /// Library lookup from a class outward, remembered.
     const LibraryClass* lookup(const syntax::Name& name, const LibraryClass* from);

@@ -546,7 +546,7 @@ private:
         const auto number = value->elements.size() == 1 && work_.translator->isParametric(value->elements[0])
                                 ? work_.translator->constantNumber(value->elements[0], false)
                                 : std::nullopt;
-        if (!number) return Value::text(fmt::format("{{{}}}", call_.operands[0].span.text()));
+        if (!number) return openText(*value);
         std::string text;
         if (value->type == FlatType::Boolean)
             text = *number != 0 ? "true" : "false";
@@ -556,6 +556,22 @@ private:
         else
             return numberText(*number);
         return Value::text(padded(std::move(text)));
+    }
+
+    /// Of what runs: in a message the expression itself.
+    Value openText(const Value& of) {
+        Value open = Value::text(fmt::format("{{{}}}", call_.operands[0].span.text()));
+        open.isOpen = true;
+        if (!of.isScalar() || of.elements.size() != 1) return open;
+        const ExpressionId value = of.elements[0];
+        if (of.type == FlatType::Boolean)
+            open.choices = {{padded("true"), value}, {padded("false"), work_.pool.unary(Operation::Not, value)}};
+        const LibraryClass* type = of.enumeration.empty() ? nullptr : work_.library.find(of.enumeration);
+        if (!type || !type->definition->isEnumeration) return open;
+        for (double number = 1; const std::string& literal : type->definition->enumeration)
+            open.choices.emplace_back(padded(literal),
+                                      work_.pool.binary(Operation::Equal, value, work_.pool.constant(number++)));
+        return open;
     }
 
     /// array(a, b, …)
@@ -695,7 +711,9 @@ private:
         if (!scope_.instance) return fail(phrase("'{}' stands in a function, which is no component", name_));
         const std::string& model = work_.model.name;
         const std::string& component = scope_.instance->component().name;
-        return Value::text(model.substr(model.rfind('.') + 1) + (component.empty() ? "" : "." + component));
+        std::string found = model.substr(model.rfind('.') + 1) + (component.empty() ? "" : "." + component);
+        work_.instanceNames.insert(found);
+        return Value::text(std::move(found));
     }
 
     /// A function, the constructor of a record or of an external object.

@@ -45,7 +45,9 @@ double interpolate(const LookupTable& table, double at, int n) {
     if (table.slopes.size() != x.size()) computed = limitedSlopes(x, y);
     const auto& slopes = computed.empty() ? table.slopes : computed;
     if (at < x.front()) return cubicDerivative(y.front(), slopes.front(), 0, 0, at - x.front(), n);
-    if (at > x.back()) return cubicDerivative(y.back(), slopes.back(), 0, 0, at - x.back(), n);
+    // As at every node, what changes there is as it goes on behind it.
+    const bool isBehind = at == x.back() && n > 1 && table.extrapolation != LookupTable::Extrapolation::None;
+    if (at > x.back() || isBehind) return cubicDerivative(y.back(), slopes.back(), 0, 0, at - x.back(), n);
     const double c2 = (3 * secant - 2 * slopes[i] - slopes[i + 1]) / width;
     const double c3 = (slopes[i] + slopes[i + 1] - 2 * secant) / (width * width);
     return cubicDerivative(y[i], slopes[i], c2, c3, at - x[i], n);

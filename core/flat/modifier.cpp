@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 namespace analogon {
 
 const Modifier* Modifier::find(std::string_view name) const {
@@ -90,6 +94,21 @@ Modifier overConstraint(const Modifier& own, Modifier constraint, Messages& mess
     return merge(own, std::move(constraint), messages);
 }
 
+namespace {
+
+/// The value of a record as a whole stands above what was said of its members before; attributes of a number stay.
+void forgetMembers(Modifier& modifier) {
+    constexpr std::array<std::string_view, 9> attributes{"start", "fixed",       "min",      "max",        "nominal",
+                                                         "unit",  "displayUnit", "quantity", "stateSelect"};
+    for (auto& [name, child] : modifier.children) {
+        if (std::find(attributes.begin(), attributes.end(), name) != attributes.end()) continue;
+        if (!child.isFinal) child.value = {};
+        forgetMembers(child);
+    }
+}
+
+}  // namespace
+
 Modifier merge(const Modifier& outer, Modifier inner, Messages& messages, const std::string& name) {
     if (outer.empty()) return inner;
     // of a redeclaration that is redeclared again its constraining clause stays in force, if it has one
@@ -104,6 +123,7 @@ Modifier merge(const Modifier& outer, Modifier inner, Messages& messages, const 
         return inner;
     }
     if (outer.value.valid()) {
+        forgetMembers(inner);
         inner.value = outer.value;
         inner.each = outer.each;
     }

@@ -81,11 +81,21 @@ std::optional<Value> matrixPower(Flattening& work, const Span& span, const Value
     return result;
 }
 
+/// One text behind the other.
+Value joined(const Value& a, const Value& b) {
+    Value both = Value::text(a.texts[0] + b.texts[0]);
+    both.isOpen = a.isOpen || b.isOpen;
+    if (a.isOpen && b.isOpen) return both;
+    for (const auto& [text, condition] : a.choices) both.choices.emplace_back(text + b.texts[0], condition);
+    for (const auto& [text, condition] : b.choices) both.choices.emplace_back(a.texts[0] + text, condition);
+    return both;
+}
+
 std::optional<Value> arithmetic(Flattening& work, const std::string& text, const Symbol& symbol, const Value& a,
                                 const Value& b, const Span& span) {
     using enum Operation;
     if (a.type == FlatType::String && b.type == FlatType::String && a.isScalar() && b.isScalar() && text == "+")
-        return Value::text(a.texts[0] + b.texts[0]);
+        return joined(a, b);
     const auto refuse = [&](const Text& hint) {
         work.messages.error(phrase("'{}' cannot be applied to {} and {}", text, typeText(a), typeText(b)), span, hint);
         return std::nullopt;
@@ -126,12 +136,32 @@ std::optional<Value> arithmetic(Flattening& work, const std::string& text, const
     }
 }
 
+double holds(const Symbol& symbol, const std::string& a, const std::string& b) {
+    return apply(symbol.operation, a.compare(b), 0);
+}
+
+/// Where one text may be one of several during the simulation: whether it is one for which the relation holds.
+std::optional<Value> openRelation(Flattening& work, const Symbol& symbol, const Value& a, const Value& b,
+                                  const Span& span) {
+    const Value& open = a.isOpen ? a : b;
+    if ((a.isOpen && b.isOpen) || open.choices.empty()) {
+        work.messages.error(phrase("what '{}' is changes during the simulation: it cannot be compared", open.texts[0]),
+                            span, phrase("compare the values instead of their texts"));
+        return std::nullopt;
+    }
+    ExpressionId any = work.pool.constant(0);
+    for (const auto& [text, condition] : open.choices)
+        if (holds(symbol, a.isOpen ? text : a.texts[0], b.isOpen ? text : b.texts[0]) != 0)
+            any = work.pool.binary(Operation::Or, any, condition);
+    return Value::scalar(FlatType::Boolean, any);
+}
+
 std::optional<Value> relation(Flattening& work, const std::string& text, const Symbol& symbol, const Value& a,
                               const Value& b, const Span& span) {
-    if (a.type == FlatType::String && b.type == FlatType::String && a.isScalar() && b.isScalar()) {
-        const int order = a.texts[0].compare(b.texts[0]);
-        return Value::scalar(FlatType::Boolean, work.pool.constant(apply(symbol.operation, order, 0)));
-    }
+    if (a.type == FlatType::String && b.type == FlatType::String && a.isScalar() && b.isScalar())
+        return a.isOpen || b.isOpen
+                   ? openRelation(work, symbol, a, b, span)
+                   : Value::scalar(FlatType::Boolean, work.pool.constant(holds(symbol, a.texts[0], b.texts[0])));
     const bool comparable = (a.isNumeric() && b.isNumeric()) || (a.type == b.type && a.enumeration == b.enumeration);
     if (!comparable || !a.isScalar() || !b.isScalar()) {
         work.messages.error(phrase("'{}' cannot compare {} with {}", text, typeText(a), typeText(b)), span);

@@ -16,8 +16,11 @@ struct Value {
     std::vector<int> dimensions;         // empty: a scalar
     std::vector<ExpressionId> elements;  // String: empty ids
     std::vector<std::string> texts;      // String only
-    std::string enumeration;             // qualified class of an enumeration value (its type is Integer)
-    std::string record;                  // qualified class of a record; its dimensions lead those of the members
+    /// Of a text that is known no sooner than the simulation: what it may be, and when. `isOpen` without: who knows.
+    std::vector<std::pair<std::string, ExpressionId>> choices;
+    bool isOpen{};
+    std::string enumeration;  // qualified class of an enumeration value (its type is Integer)
+    std::string record;       // qualified class of a record; its dimensions lead those of the members
     std::vector<std::pair<std::string, Value>> members;
     const LibraryClass* function{};  // a function as a value; members: the arguments that it was given
     int object{-1};                  // an external object: its number among Flattening::tables

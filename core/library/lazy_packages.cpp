@@ -94,11 +94,34 @@ std::vector<fs::path> packageDirectories() {
     return result;
 }
 
-const LibraryClass* LazyPackages::find(std::string_view qualifiedName, std::string_view version) {
+const LibraryClass* LazyPackages::find(std::string_view qualifiedName, const std::function<std::string()>& version) {
     const std::lock_guard lock(mutex_);
     if (const LibraryClass* known = found(qualifiedName)) return known;
     if (missing_.contains(qualifiedName)) return nullptr;
-    return searched(std::string(qualifiedName), version);
+    return searched(std::string(qualifiedName), version());
+}
+
+namespace {
+
+/// No name has this sign in it.
+std::string placeOf(std::string_view name, std::string_view scope) {
+    std::string place(scope);
+    place += '\n';
+    place += name;
+    return place;
+}
+
+}  // namespace
+
+const LazyPackages::Meaning* LazyPackages::meaning(std::string_view name, std::string_view scope) const {
+    const std::lock_guard lock(mutex_);
+    const auto entry = meanings_.find(placeOf(name, scope));
+    return entry == meanings_.end() ? nullptr : &entry->second;
+}
+
+void LazyPackages::remember(std::string_view name, std::string_view scope, Meaning meaning) {
+    const std::lock_guard lock(mutex_);
+    meanings_.try_emplace(placeOf(name, scope), std::move(meaning));
 }
 
 Diagnostics LazyPackages::faults() const {

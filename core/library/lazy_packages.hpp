@@ -1,11 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <set>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "core/library/library.hpp"
@@ -20,13 +23,27 @@ public:
 
     const std::vector<std::filesystem::path>& directories() const { return directories_; }
 
-    /// By its full name; null when there is none. `version`: which one of a package is wanted where several lie side by
-    /// side (the newest without).
-    const LibraryClass* find(std::string_view qualifiedName, std::string_view version);
+    /// By its full name; null when there is none. `version` tells which one of a package is wanted where several lie
+    /// side by side (empty: the newest); it is asked only where something must be read.
+    const LibraryClass* find(std::string_view qualifiedName, const std::function<std::string()>& version);
+
+    /// What a name means in a class of a package, and the first parts of all names that were asked for to find it:
+    /// while the study has nothing of these itself, it means the same in every study.
+    struct Meaning {
+        const LibraryClass* found{};
+        std::set<std::string, std::less<>> roots;
+    };
+    /// Null: nobody has asked yet.
+    const Meaning* meaning(std::string_view name, std::string_view scope) const;
+    void remember(std::string_view name, std::string_view scope, Meaning meaning);
     /// What is wrong with the files that were read so far.
     Diagnostics faults() const;
 
 private:
+    struct TextHash {
+        using is_transparent = void;
+        std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
+    };
     struct Directory {
         std::filesystem::path path;
         std::set<std::string> packages;  // directories with a package.mo
@@ -42,9 +59,10 @@ private:
 
     std::vector<std::filesystem::path> directories_;
     mutable std::mutex mutex_;
-    std::map<std::string, LibraryClass, std::less<>> classes_;
-    std::set<std::string, std::less<>> missing_;
-    std::map<std::string, Directory> opened_;  // by qualified name of the package
+    std::unordered_map<std::string, LibraryClass, TextHash, std::equal_to<>> classes_;
+    std::unordered_set<std::string, TextHash, std::equal_to<>> missing_;
+    std::unordered_map<std::string, Meaning, TextHash, std::equal_to<>> meanings_;  // by scope and name
+    std::map<std::string, Directory> opened_;                                       // by qualified name of the package
     Diagnostics faults_;
 };
 

@@ -161,13 +161,16 @@ std::size_t Library::Content::takeOut(const std::string& qualifiedName) {
 
 const LibraryClass* Library::find(std::string_view qualifiedName) const {
     const auto& classes = content().classes;
-    const auto entry = classes.find(qualifiedName);
-    if (entry != classes.end()) return entry->second.get();
-    if (const LibraryClass* builtin = builtinClass(qualifiedName)) return builtin;
     const std::string_view root = qualifiedName.substr(0, qualifiedName.find('.'));
+    if (const auto first = classes.lower_bound(root); first != classes.end() && isWithin(first->first, root)) {
+        const auto entry = classes.find(qualifiedName);
+        if (entry != classes.end()) return entry->second.get();
+    }
+    if (root.size() == qualifiedName.size())
+        if (const LibraryClass* builtin = builtinClass(qualifiedName)) return builtin;
     const bool isWhole = classes.contains(root);  // a package of the study
     if (lazy_ && !isWhole)
-        if (const LibraryClass* found = lazy_->find(qualifiedName, usedVersion(root))) return found;
+        if (const LibraryClass* found = lazy_->find(qualifiedName, [&] { return usedVersion(root); })) return found;
     if (!lazy_ && !isWhole) return nullptr;
     const std::string now = newName(qualifiedName);
     return now.empty() ? nullptr : find(now);
@@ -192,8 +195,37 @@ std::string Library::usedVersion(std::string_view package) const {
     return {};
 }
 
+namespace {
+
+/// What is asked for within a package of a directory is often asked for again, by other models: kept as long as the
+/// study has nothing of its own (`isOwn`, by the first part of a name) that was asked for on the way.
+template <class IsOwn, class Search>
+const LibraryClass* remembered(const Library& library, LazyPackages* lazy, const std::string& what,
+                               std::string_view scope, const IsOwn& isOwn, const Search& find) {
+    NameSearch search(library);
+    if (!lazy || scope.empty() || isOwn(scope.substr(0, scope.find('.')))) return find(search);
+    const LazyPackages::Meaning* const known = lazy->meaning(what, scope);
+    if (known && std::none_of(known->roots.begin(), known->roots.end(), isOwn)) return known->found;
+    const LibraryClass* const found = find(search);
+    if (!known && std::none_of(search.roots().begin(), search.roots().end(), isOwn))
+        lazy->remember(what, scope, {found, search.roots()});
+    return found;
+}
+
+/// Whether the study itself has classes whose names begin with this part.
+template <class Classes>
+auto ownRoots(const Classes& classes) {
+    return [&classes](std::string_view root) {
+        const auto first = classes.lower_bound(root);
+        return first != classes.end() && isWithin(first->first, root);
+    };
+}
+
+}  // namespace
+
 const LibraryClass* Library::lookup(const syntax::Name& name, std::string_view scope) const {
-    return NameSearch(*this).find(name, scope);
+    return remembered(*this, lazy_.get(), name.text(), scope, ownRoots(content().classes),
+                      [&](NameSearch& search) { return search.find(name, scope); });
 }
 
 const LibraryClass* Library::lookup(std::string_view dottedName, std::string_view scope) const {
@@ -211,7 +243,10 @@ std::vector<const LibraryClass*> Library::bases(const LibraryClass& derived) con
     std::vector<const LibraryClass*> result;
     NameSearch search(*this);
     const auto add = [&](const syntax::Name& name) {
-        if (const LibraryClass* base = search.findBase(name, derived)) result.push_back(base);
+        const LibraryClass* const base =
+            remembered(*this, lazy_.get(), "extends " + name.text(), derived.qualifiedName, ownRoots(content().classes),
+                       [&](NameSearch& own) { return own.findBase(name, derived); });
+        if (base) result.push_back(base);
     };
     if (derived.definition->isShort && !derived.definition->isEnumeration) add(derived.definition->shortBase);
     if (derived.definition->extendsItself)

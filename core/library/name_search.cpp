@@ -6,6 +6,12 @@
 
 namespace analogon {
 
+const LibraryClass* NameSearch::ask(std::string_view qualifiedName) {
+    const std::string_view root = qualifiedName.substr(0, qualifiedName.find('.'));
+    if (!roots_.contains(root)) roots_.emplace(root);
+    return library_.find(qualifiedName);
+}
+
 const LibraryClass* NameSearch::find(const syntax::Name& name, std::string_view scope) {
     if (name.parts.empty()) return nullptr;
     const std::string_view start = name.absolute ? std::string_view{} : scope;
@@ -23,7 +29,7 @@ const LibraryClass* NameSearch::findFirst(std::string_view identifier, std::stri
                                           const LibraryClass* heir) {
     for (; !scope.empty(); scope = enclosingName(scope)) {
         if (const LibraryClass* found = nested(scope, identifier)) return found;
-        const LibraryClass* here = library_.find(scope);
+        const LibraryClass* here = ask(scope);
         if (!here) continue;  // `within` a package that is not loaded
         if (here != heir) {
             if (const LibraryClass* found = inherited(*here, identifier)) return found;
@@ -31,7 +37,7 @@ const LibraryClass* NameSearch::findFirst(std::string_view identifier, std::stri
         if (const LibraryClass* found = imported(*here, identifier)) return found;
         if (here->definition->isEncapsulated) return nullptr;
     }
-    return library_.find(identifier);
+    return ask(identifier);
 }
 
 const LibraryClass* NameSearch::findRest(const LibraryClass* found, const syntax::Name& name, std::size_t part) {
@@ -45,7 +51,7 @@ const LibraryClass* NameSearch::declaredOrInherited(const LibraryClass& in, std:
 }
 
 const LibraryClass* NameSearch::extended(const LibraryClass& heir) {
-    const LibraryClass* const outside = library_.find(heir.scope);
+    const LibraryClass* const outside = ask(heir.scope);
     return outside ? inherited(*outside, heir.definition->name) : nullptr;
 }
 
@@ -69,9 +75,7 @@ const LibraryClass* NameSearch::inherited(const LibraryClass& in, std::string_vi
 
 /// Qualified imports win over `import A.*` (section 5.3.1). What is imported is named from the top.
 const LibraryClass* NameSearch::imported(const LibraryClass& in, std::string_view identifier) {
-    const auto meant = [&](const syntax::Name& name) {
-        return findRest(library_.find(name.parts.front().identifier), name, 1);
-    };
+    const auto meant = [&](const syntax::Name& name) { return findRest(ask(name.parts.front().identifier), name, 1); };
     for (const syntax::Import& clause : in.definition->imports) {
         if (!clause.wildcard && clause.alias == identifier) return meant(clause.name);
     }
@@ -84,11 +88,11 @@ const LibraryClass* NameSearch::imported(const LibraryClass& in, std::string_vie
     return nullptr;
 }
 
-const LibraryClass* NameSearch::nested(std::string_view scope, std::string_view identifier) const {
+const LibraryClass* NameSearch::nested(std::string_view scope, std::string_view identifier) {
     std::string name(scope);
     name += '.';
     name += identifier;
-    return library_.find(name);
+    return ask(name);
 }
 
 }  // namespace analogon

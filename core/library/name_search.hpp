@@ -1,6 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <map>
+#include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -21,16 +24,21 @@ public:
     /// The inherited class that `model extends M` continues; null when there is none.
     const LibraryClass* extended(const LibraryClass& heir);
 
+    /// The first parts of all names that were asked for.
+    const std::set<std::string, std::less<>>& roots() const { return roots_; }
+
 private:
+    const LibraryClass* ask(std::string_view qualifiedName);
     const LibraryClass* findFirst(std::string_view identifier, std::string_view scope, const LibraryClass* heir);
     const LibraryClass* findRest(const LibraryClass* found, const syntax::Name& name, std::size_t part);
     const LibraryClass* declaredOrInherited(const LibraryClass& in, std::string_view identifier);
     const LibraryClass* inherited(const LibraryClass& in, std::string_view identifier);
     const LibraryClass* imported(const LibraryClass& in, std::string_view identifier);
-    const LibraryClass* nested(std::string_view scope, std::string_view identifier) const;
+    const LibraryClass* nested(std::string_view scope, std::string_view identifier);
 
     const Library& library_;
     std::map<std::pair<const LibraryClass*, std::string>, const LibraryClass*> visited_;
+    std::set<std::string, std::less<>> roots_;
 };
 
 }  // namespace analogon

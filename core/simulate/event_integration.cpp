@@ -249,6 +249,7 @@ bool EventRun::advance(double interval) {
     CVodeGetDky(cvodes_.get(), reached, 0, y_.get());
     std::copy_n(N_VGetArrayPointer(y_.get()), x_.size(), x_.begin());
     time_ = reached;
+    if (!drive_) path_.push_back({time_, x_, {}});
     if (!takeTangents(reached)) return false;
     if (flag == CV_ROOT_RETURN) {
         std::vector<int> found(rootCount());
@@ -299,33 +300,6 @@ bool EventRun::handle(const std::set<int>& crossed, bool isStop) {
     lastEvent_ = time_;
     if (!areRatesDecided()) return false;
     return restart() || failed(phrase("the integrator could not restart"));
-}
-
-bool EventRun::checkHere() {
-    if (model_.checks.empty() && model_.subscripts.empty()) return true;
-    if (!read(time_, x_.data(), readings_)) return hasNoValue(system_.failure(workspace_));
-    model_.program.run(slots_, readings_, time_, values_);
-    return check();
-}
-
-bool EventRun::record() {
-    if (!takeSlots()) return hasNoValue(system_.failure(workspace_));
-    takeDelayed(time_);
-    if (drive_) return checkHere();
-    std::vector<double> observed(handles_.size());
-    if (!system_.observed(workspace_, time_, {x_.data(), n_}, u_, handles_, observed))
-        return hasNoValue(system_.failure(workspace_));
-    if (!checkHere()) return false;
-    std::vector<double> row(source_.size());
-    for (std::size_t i = 0; i < row.size(); ++i)
-        row[i] = source_[i].first >= 0 ? slots_[static_cast<std::size_t>(source_[i].first)]
-                                       : observed[static_cast<std::size_t>(source_[i].second)];
-    if (!model_.subscripts.empty())
-        for (std::size_t i = 0; i < row.size(); ++i)
-            if (std::isnan(row[i])) return hasNoValue(names_[i]);
-    result_.time.push_back(time_);
-    result_.rows.push_back(std::move(row));
-    return true;
 }
 
 }  // namespace analogon

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
 #include "core/base/stopwatch.hpp"
 #include "core/simulate/event_runner.hpp"
@@ -14,6 +15,7 @@ namespace analogon {
 namespace {
 
 constexpr int mostIterations = 200;  // of the discrete quantities at one time
+constexpr int mostPasses = 5;        // to the next values before, without rest
 bool holds(Operation operation, double difference) {
     switch (operation) {
         case Operation::Less:
@@ -189,11 +191,32 @@ bool EventRun::hasNoValue(const std::string& variable) {
     return failed(phrase("'{}' has no value", variable));
 }
 
-void EventRun::name(std::string& changed, int slot) { changed = model_.slots[static_cast<std::size_t>(slot)]; }
+/// As people know it: a relation by its text.
+std::string EventRun::nameOf(int slot) const {
+    for (const HybridModel::Relation& r : model_.relations)
+        if (r.slot == slot && !r.text.empty()) return r.text;
+    return model_.slots[static_cast<std::size_t>(slot)];
+}
+
+/// One look at the continuous quantities, and what the discrete ones become by it; `moved`: one that did.
+bool EventRun::settleOnce(const std::set<int>& crossed, int round, bool isInitial, bool isStart, int& moved) {
+    model_.program.update(slots_, readings_, time_, values_, isDue_);
+    judge(round == 0 ? crossed : std::set<int>{}, isInitial && round < 20, round >= 10);
+    model_.program.update(slots_, readings_, time_, values_, isDue_);
+    for (const HybridModel::Assignment& a : model_.assignments) {
+        double& slot = slots_[static_cast<std::size_t>(a.slot)];
+        const double value = values_[static_cast<std::size_t>(a.step)];
+        if (value != slot) moved = a.slot;
+        slot = value;
+        if (std::isnan(value) && isRound_ && !isStart) return hasNoValue(nameOf(moved));
+    }
+    return true;
+}
 
 /// Continuous and discrete quantities in turn, until neither moves.
 bool EventRun::settle(const std::set<int>& crossed, bool isInitial) {
-    std::string changed;
+    int moved = 0;
+    const std::vector<double> entry = slots_;
     hasSwitched_.assign(model_.relations.size(), 0);
     for (int round = 0; round < mostIterations; ++round) {
         const std::vector<double> before = slots_;
@@ -205,24 +228,27 @@ bool EventRun::settle(const std::set<int>& crossed, bool isInitial) {
             isStart = isRound_ && takeStarts();
         }
         if (!isRound_ && round > 20) return hasNoValue(system_.failure(workspace_));
-        model_.program.run(slots_, readings_, time_, values_);
-        judge(round == 0 ? crossed : std::set<int>{}, isInitial && round < 20, round >= 10);
-        model_.program.run(slots_, readings_, time_, values_);
-        for (const HybridModel::Assignment& a : model_.assignments) {
-            double& slot = slots_[static_cast<std::size_t>(a.slot)];
-            const double value = values_[static_cast<std::size_t>(a.step)];
-            if (value != slot) name(changed, a.slot);
-            slot = value;
-            if (std::isnan(value) && isRound_ && !isStart) return hasNoValue(changed);
-        }
+        if (!settleOnce(crossed, round, isInitial, isStart, moved)) return false;
         if (slots_ == before && isRound_ && !isStart)
             return !tangents_ || isInitial || tangents_->settled(point()) || hasNoTangent();
         if (round > 0 && slots_ != before) {
             for (std::size_t i = 0; i < slots_.size(); ++i)
-                if (slots_[i] != before[i]) changed = model_.slots[i];
+                if (slots_[i] != before[i]) moved = static_cast<int>(i);
         }
     }
-    return failed(phrase("the discrete quantities find no rest: '{}' keeps switching", changed));
+    if (!isInitial && passes_++ < mostPasses) return pass(entry, crossed, moved);
+    return failed(phrase("the discrete quantities find no rest: '{}' keeps switching", nameOf(moved)));
+}
+
+/// Where no values agree with each other and with those before, as those of a clutch that lets go may not, what was
+/// before moves on after one look: pre(z) = z then finds those that do.
+bool EventRun::pass(const std::vector<double>& entry, const std::set<int>& crossed, int moved) {
+    slots_ = entry;
+    hasSwitched_.assign(model_.relations.size(), 0);
+    isPassing_ = true;
+    if (!takeSlots()) return hasNoValue(system_.failure(workspace_));
+    isRound_ = readNow(false);
+    return settleOnce(crossed, 0, false, false, moved);
 }
 
 /// Resets states where a reinit is in force; whether any was.
@@ -270,27 +296,28 @@ bool EventRun::check() {
 /// Everything that happens at this time, until pre(z) = z.
 bool EventRun::event(const std::set<int>& crossed) {
     std::set<int> first = crossed;
+    passes_ = 0;
     if (tangents_) tangents_->takeLeftLimits();
     for (const auto& [before, reading] : model_.leftLimits)
         slots_[static_cast<std::size_t>(before)] = readings_[static_cast<std::size_t>(reading)];
     for (int round = 0; round < mostIterations; ++round) {
         if (!settle(first, false)) return false;
         first.clear();
-        if (!check()) return false;
+        if (!isPassing_ && !check()) return false;
         bool isReset = false;
         if (!reinitialise(isReset)) return false;
-        bool moved = isReset;
+        bool moved = isReset || std::exchange(isPassing_, false);
         for (const HybridModel::Sample& s : model_.samples) {
             moved = moved || slots_[static_cast<std::size_t>(s.slot)] != 0;
             slots_[static_cast<std::size_t>(s.slot)] = 0;
         }
-        std::string changed;
+        int last = 0;
         for (const auto& [before, of] : model_.pres) {
             double& old = slots_[static_cast<std::size_t>(before)];
             const double now = slots_[static_cast<std::size_t>(of)];
             if (old != now) {
                 moved = true;
-                name(changed, of);
+                last = of;
             }
             old = now;
         }
@@ -299,7 +326,8 @@ bool EventRun::event(const std::set<int>& crossed) {
         for (const auto& [before, reading] : model_.leftLimits)
             if (!isReset) slots_[static_cast<std::size_t>(before)] = readings_[static_cast<std::size_t>(reading)];
         if (!moved) return true;
-        if (round + 1 == mostIterations) return failed(phrase("the event finds no end: '{}' keeps switching", changed));
+        if (round + 1 == mostIterations)
+            return failed(phrase("the event finds no end: '{}' keeps switching", nameOf(last)));
     }
     return true;
 }
@@ -308,7 +336,7 @@ bool EventRun::initialise() {
     if (model_.initial >= 0) slots_[static_cast<std::size_t>(model_.initial)] = 1;
     // twice: what is assigned at the start may read what the start decides
     for (int round = 0; round < 2; ++round) {
-        model_.program.run(slots_, readings_, time_, values_);
+        model_.program.update(slots_, readings_, time_, values_, isDue_);
         for (const HybridModel::Assignment& a : model_.initialAssignments) {
             const double value = values_[static_cast<std::size_t>(a.step)];
             if (round > 0 || std::isfinite(value)) slots_[static_cast<std::size_t>(a.slot)] = value;

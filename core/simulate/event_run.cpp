@@ -69,14 +69,6 @@ Outcome<EventTrajectory> EventRun::run() {
     return std::move(result_);
 }
 
-/// As asked for, and not so wide that what the rows show between events would be lost.
-double EventRun::rowInterval() const {
-    constexpr double fewest = 2500;
-    const double whole = options_.stop - options_.start;
-    if (!(options_.interval > 0)) return whole / fewest;
-    return options_.interval / std::max(1.0, std::ceil(fewest * options_.interval / whole));
-}
-
 /// Whatever the equations leave open must not reach the states: there it would decide how the model moves.
 bool EventRun::areRatesDecided() {
     if (undecided_.names.empty() || n_ == 0) return true;
@@ -169,7 +161,7 @@ bool EventRun::hasNoTangent() { return failed(phrase("the sensitivities are not 
 bool EventRun::beginTangents(const std::set<int>& crossed) {
     if (!tangents_) return true;
     if (!takeSlots() || !read(time_, x_.data(), readings_)) return hasNoValue(system_.failure(workspace_));
-    model_.program.run(slots_, readings_, time_, values_);
+    model_.program.update(slots_, readings_, time_, values_, isDue_);
     return tangents_->begin(point(), momentOf(crossed)) || hasNoTangent();
 }
 

@@ -37,6 +37,12 @@ private:
         double next() const { return start + count * interval; }
     };
 
+    /// A time of the run, and what is told there where it was worked out.
+    struct RowPoint {
+        double time{};
+        std::vector<double> x, row;
+    };
+
     double rowInterval() const;
     bool areRatesDecided();
     void tellUndecided();
@@ -61,8 +67,10 @@ private:
     double offsetOf(int step) const;
     void judge(const std::set<int>& crossed, bool isFirst, bool isSingle);
     bool hasNoValue(const std::string& variable);
-    void name(std::string& changed, int slot);
+    std::string nameOf(int slot) const;
+    bool settleOnce(const std::set<int>& crossed, int round, bool isInitial, bool isStart, int& moved);
     bool settle(const std::set<int>& crossed, bool isInitial);
+    bool pass(const std::vector<double>& entry, const std::set<int>& crossed, int moved);
     bool reinitialise(bool& isDone);
     bool check();
     bool event(const std::set<int>& crossed);
@@ -85,7 +93,11 @@ private:
     bool timeEvent(bool isEvent);
     bool handle(const std::set<int>& crossed, bool isStop = false);
     bool checkHere();
+    bool rowAt(double t, const std::vector<double>& x, std::vector<double>& row);
     bool record();
+    void tell(const RowPoint& point);
+    int columnThatJumps() const;
+    void tellJump();
 
     const HybridModel& model_;
     const System& system_;
@@ -97,6 +109,7 @@ private:
     Workspace workspace_;
     std::size_t n_;
     std::vector<double> slots_, readings_, rootReadings_, x_, u_, values_, taken_;
+    std::vector<char> isDue_;                  // by step of the program
     std::vector<std::pair<int, int>> source_;  // by name: slot, or -1 and which of the observed
     std::vector<int> handles_;
     std::vector<int> slotAt_, readingAt_;  // parameter, output of the system
@@ -109,12 +122,15 @@ private:
     std::vector<char> hasSwitched_;   // by relation: since the discrete quantities were last at rest
     std::vector<int> pending_;        // samples that come true at this event
     std::set<std::size_t> warned_;
+    std::vector<RowPoint> path_;            // from the last row through the ends of the steps since
+    std::vector<double> least_, greatest_;  // of the rows so far, by name
     UndecidedScope undecided_;
     EventTrajectory result_;
     Diagnostics faults_;
     double time_{}, lastEvent_{-never};
     long grid_{};
-    int crowded_{};
+    int crowded_{}, passes_{};
+    bool isPassing_{};  // the last event round found no rest, and took what came first
     bool isTerminated_{}, isRound_{};
     std::chrono::steady_clock::time_point began_;
     Owned<SUNContext, FreeContext> context_;

@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 #include "core/structure/hybrid.hpp"
 
@@ -7,35 +10,69 @@ namespace analogon {
 
 using enum Operation;
 
+double DiscreteProgram::valueOf(const Step& s, const std::vector<double>& slots, const std::vector<double>& readings,
+                                double time, const std::vector<double>& values) const {
+    const auto at = [&](int step) { return values[static_cast<std::size_t>(step)]; };
+    switch (s.operation) {
+        case Constant:
+            return s.value;
+        case Variable:
+            return s.slot >= 0 ? slots[static_cast<std::size_t>(s.slot)]
+                               : readings[static_cast<std::size_t>(s.reading)];
+        case Time:
+            return time;
+        case If:
+            return at(s.a) != 0 ? at(s.b) : at(s.c);
+        case Table:
+            return tables[static_cast<std::size_t>(s.value)].value(at(s.a));
+        case TableDerivative:
+            return tables[static_cast<std::size_t>(s.value)].derivative(at(s.a));
+        default:
+            return apply(s.operation, at(s.a), s.b >= 0 ? at(s.b) : 0);
+    }
+}
+
 void DiscreteProgram::run(const std::vector<double>& slots, const std::vector<double>& readings, double time,
                           std::vector<double>& values) const {
     values.resize(steps.size());
+    for (std::size_t i = 0; i < steps.size(); ++i) values[i] = valueOf(steps[i], slots, readings, time, values);
+}
+
+void DiscreteProgram::findReaders() {
+    leaves_.clear();
+    firstReader_.assign(steps.size() + 1, 0);
+    const auto forEachRead = [this](const auto& see) {
+        for (std::size_t i = 0; i < steps.size(); ++i)
+            for (const int read : {steps[i].a, steps[i].b, steps[i].c})
+                if (read >= 0) see(static_cast<std::size_t>(read), static_cast<int>(i));
+    };
+    forEachRead([this](std::size_t read, int) { ++firstReader_[read + 1]; });
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        const Step& s = steps[i];
-        const auto at = [&](int step) { return values[static_cast<std::size_t>(step)]; };
-        switch (s.operation) {
-            case Constant:
-                values[i] = s.value;
-                break;
-            case Variable:
-                values[i] = s.slot >= 0 ? slots[static_cast<std::size_t>(s.slot)]
-                                        : readings[static_cast<std::size_t>(s.reading)];
-                break;
-            case Time:
-                values[i] = time;
-                break;
-            case If:
-                values[i] = at(s.a) != 0 ? at(s.b) : at(s.c);
-                break;
-            case Table:
-                values[i] = tables[static_cast<std::size_t>(s.value)].value(at(s.a));
-                break;
-            case TableDerivative:
-                values[i] = tables[static_cast<std::size_t>(s.value)].derivative(at(s.a));
-                break;
-            default:
-                values[i] = apply(s.operation, at(s.a), s.b >= 0 ? at(s.b) : 0);
-        }
+        firstReader_[i + 1] += firstReader_[i];
+        if (steps[i].operation == Variable || steps[i].operation == Time) leaves_.push_back(static_cast<int>(i));
+    }
+    readers_.resize(static_cast<std::size_t>(firstReader_.back()));
+    std::vector<int> next = firstReader_;
+    forEachRead([&](std::size_t read, int reader) { readers_[static_cast<std::size_t>(next[read]++)] = reader; });
+}
+
+void DiscreteProgram::update(const std::vector<double>& slots, const std::vector<double>& readings, double time,
+                             std::vector<double>& values, std::vector<char>& isDue) const {
+    if (values.size() != steps.size() || firstReader_.size() != steps.size() + 1)
+        return run(slots, readings, time, values);
+    isDue.assign(steps.size(), 0);
+    for (const int leaf : leaves_) isDue[static_cast<std::size_t>(leaf)] = 1;
+    const auto nextDue = [&](std::size_t from) {
+        const void* found = from < isDue.size() ? std::memchr(isDue.data() + from, 1, isDue.size() - from) : nullptr;
+        return found ? static_cast<std::size_t>(static_cast<const char*>(found) - isDue.data()) : isDue.size();
+    };
+    for (std::size_t i = nextDue(0); i < isDue.size(); i = nextDue(i + 1)) {
+        const double now = valueOf(steps[i], slots, readings, time, values);
+        // by their bits: what has no value has still none
+        if (std::bit_cast<std::uint64_t>(now) == std::bit_cast<std::uint64_t>(values[i])) continue;
+        values[i] = now;
+        for (int r = firstReader_[i]; r < firstReader_[i + 1]; ++r)
+            isDue[static_cast<std::size_t>(readers_[static_cast<std::size_t>(r)])] = 1;
     }
 }
 

@@ -246,6 +246,7 @@ void Partition::buildProgram() {
     for (const FlatEvents::Subscript& subscript : events_.subscripts)
         out_.subscripts.push_back({step(subscript.index), subscript.extent, subscript.span});
     out_.program.tables = pool().tables();
+    out_.program.findReaders();
 }
 
 /// Slots become parameters that keep their names, readings the only outputs.

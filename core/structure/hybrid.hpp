@@ -24,6 +24,12 @@ public:
     /// All steps for these slots, readings and time; `values` is one number a step.
     void run(const std::vector<double>& slots, const std::vector<double>& readings, double time,
              std::vector<double>& values) const;
+    /// The same where `values` are those of the last run or empty: only what depends on something that has changed
+    /// is worked out again. `isDue` is room for it.
+    void update(const std::vector<double>& slots, const std::vector<double>& readings, double time,
+                std::vector<double>& values, std::vector<char>& isDue) const;
+    /// Finds who reads which step; to be called when all steps stand.
+    void findReaders();
     /// How the steps move with slots, readings and time, by the values of all of them: `slots` and `readings` are K
     /// tangents each, row-major, `time` K. What only jumps does not move.
     void runTangents(const std::vector<double>& values, const std::vector<double>& slots,
@@ -32,6 +38,13 @@ public:
 
     std::vector<Step> steps;
     std::vector<LookupTable> tables;
+
+private:
+    double valueOf(const Step& step, const std::vector<double>& slots, const std::vector<double>& readings, double time,
+                   const std::vector<double>& values) const;
+
+    std::vector<int> leaves_;                 // slots, readings and the time
+    std::vector<int> readers_, firstReader_;  // by step: from its first to that of the next one
 };
 
 /// A model with events as two that take turns (Modelica 3.6, appendix B). Between events the discrete quantities (the
@@ -49,6 +62,7 @@ struct HybridModel {
         bool isOfTime{};  // factor*time + offset (a step): its crossing is known in advance
         double factor{};
         int offset{-1};
+        std::string text{};  // as it is told: "x > 0"
     };
     /// The slot holds floor(reading).
     struct Whole {

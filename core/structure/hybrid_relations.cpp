@@ -123,6 +123,14 @@ std::optional<Partition::OfTime> Partition::ofTime(ExpressionId id) {
     }
 }
 
+std::string Partition::textOf(Operation operation, ExpressionId a, ExpressionId b) {
+    constexpr std::size_t longest = 120;
+    std::string text =
+        pool().print(pool().binary(operation, a, b), [this](VariableId id) { return variable(id).name; });
+    if (text.size() > longest) text = text.substr(0, longest) + " …";
+    return text;
+}
+
 ExpressionId Partition::relationSlot(Operation operation, ExpressionId a, ExpressionId b) {
     const auto key = std::tuple(operation, a.value, b.value);
     const auto known = relationOf_.find(key);
@@ -132,7 +140,7 @@ ExpressionId Partition::relationSlot(Operation operation, ExpressionId a, Expres
     isKnown_.resize(model_->variables.size(), 0);
     isKnown_[id.value] = 1;
     const ExpressionId difference = pool().subtract(a, b);
-    HybridModel::Relation relation{slot, readingOf(difference), operation, false, 0, -1};
+    HybridModel::Relation relation{slot, readingOf(difference), operation, false, 0, -1, textOf(operation, a, b)};
     if (const auto of = ofTime(difference); of && of->factor != 0) {
         relation.isOfTime = true;
         relation.factor = of->factor;

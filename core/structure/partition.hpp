@@ -51,6 +51,7 @@ private:
         ExpressionId rest;
     };
     std::optional<OfTime> ofTime(ExpressionId id);
+    std::string textOf(Operation operation, ExpressionId a, ExpressionId b);
     ExpressionId relationSlot(Operation operation, ExpressionId a, ExpressionId b);
     ExpressionId wholeSlot(ExpressionId of);
     ExpressionId frozen(ExpressionId id);

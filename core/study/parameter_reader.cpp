@@ -48,7 +48,12 @@ const FlatVariable* ParameterReader::find(const std::string& name, const std::st
     if (variable.variability == FlatVariability::Continuous)
         reason = variable.isFoundAtStart ? phrase("computed by an initial equation") : phrase("a variable");
     if (variable.variability == FlatVariability::Constant) reason = phrase("a constant");
-    if (variable.type != FlatType::Real) reason = phrase("no real number");
+    if (variable.type == FlatType::Integer)
+        reason = variable.isStructural
+                     ? phrase("an Integer that has shaped the equations, as the size of an array does")
+                     : phrase("an Integer");
+    else if (variable.type != FlatType::Real)
+        reason = phrase("no real number");
     if (variable.isFinal) reason = phrase("declared final");
     if (variable.isProtected && name.find('.') != std::string::npos) reason = phrase("protected");
     if (reason.empty()) return &variable;

@@ -8708,6 +8708,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>eine Konstante</translation>
     </message>
     <message>
+        <source>an Integer that has shaped the equations, as the size of an array does</source>
+        <translation>eine ganze Zahl, welche die Gleichungen geformt hat, wie die Größe eines Feldes es tut</translation>
+    </message>
+    <message>
+        <source>an Integer</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
         <source>no real number</source>
         <translation>keine reelle Zahl</translation>
     </message>
@@ -10966,6 +10974,22 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>the subscript of '{}' is outside the array</source>
         <translation>der Index von '{}' liegt außerhalb des Feldes</translation>
+    </message>
+    <message>
+        <source>random numbers follow from the name '{}': under another name, or in another tool, they differ</source>
+        <translation>Zufallszahlen folgen aus dem Namen '{}': unter einem anderen Namen oder in einem anderen Werkzeug sind es andere</translation>
+    </message>
+    <message>
+        <source>give the component a seed of its own, as with useAutomaticLocalSeed = false</source>
+        <translation>der Komponente einen eigenen Startwert geben, etwa mit useAutomaticLocalSeed = false</translation>
+    </message>
+    <message>
+        <source>what '{}' is changes during the simulation: it cannot be compared</source>
+        <translation>was '{}' ist, ändert sich während der Simulation: es lässt sich nicht vergleichen</translation>
+    </message>
+    <message>
+        <source>compare the values instead of their texts</source>
+        <translation>die Werte statt ihrer Texte vergleichen</translation>
     </message>
     <message>
         <source>the model prints: {}</source>

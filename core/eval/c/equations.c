@@ -78,7 +78,9 @@ static inline double interpolate(const Table* table, double at, int n) {
     if (!table->isCubic && n == 0 && at == x[last]) return y[last];
     if (!table->isCubic) return cubicDerivative(y[i], secant, 0, 0, at - x[i], n);
     if (at < x[0]) return cubicDerivative(y[0], slopes[0], 0, 0, at - x[0], n);
-    if (at > x[last]) return cubicDerivative(y[last], slopes[last], 0, 0, at - x[last], n);
+    /* as at every node, what changes there is as it goes on behind it */
+    if (at > x[last] || (at == x[last] && n > 1 && table->extrapolation != 3))
+        return cubicDerivative(y[last], slopes[last], 0, 0, at - x[last], n);
     c2 = (3 * secant - 2 * slopes[i] - slopes[i + 1]) / width;
     c3 = (slopes[i] + slopes[i + 1] - 2 * secant) / (width * width);
     return cubicDerivative(y[i], slopes[i], c2, c3, at - x[i], n);

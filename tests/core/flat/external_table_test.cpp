@@ -49,6 +49,23 @@ TEST(ExternalTable, ExtrapolatesAsAsked) {
     EXPECT_DOUBLE_EQ(steps.derivative(3), 0);
 }
 
+TEST(ExternalTable, WhatJumpsAtTheLastAbscissaIsAsItGoesOnBehindIt) {
+    // at every other node the second derivative is that of the piece behind it; behind the last one lies a straight
+    // line
+    const Matrix table = matrixOf(2, {0, 1, 0.5, 2, 1, 1});
+    const auto second = [&](TableExtrapolation e) {
+        LookupTable curve = oneDimensional(table, {2}, Smoothness::Akima, e)->columns[0].known;
+        curve.order = 2;
+        return curve;
+    };
+    const LookupTable line = second(TableExtrapolation::LastTwoPoints), none = second(TableExtrapolation::None);
+    EXPECT_NE(line.value(1 - 1e-9), 0);
+    EXPECT_EQ(line.value(1), 0);
+    EXPECT_EQ(line.value(1.1), 0);
+    EXPECT_EQ(second(TableExtrapolation::Hold).value(1), 0);
+    EXPECT_NEAR(none.value(1), none.value(1 - 1e-9), 1e-6) << "there is nothing behind it";
+}
+
 TEST(ExternalTable, SmoothCurvesPassThroughTheirPointsAndKeepTheirKind) {
     const std::vector<double> x{0, 1, 2, 3.5, 5, 6}, line{1, 3, 5, 8, 11, 13}, stair{0, 0, 1, 1, 5, 5};
     for (const Smoothness kind :

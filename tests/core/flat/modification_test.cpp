@@ -28,6 +28,19 @@ TEST(Modification, NamesInItBelongToTheClassThatWritesIt) {
     EXPECT_EQ(valueOf(m, "s.rotor.J"), 16);
 }
 
+TEST(Modification, TheValueOfARecordStandsAboveWhatWasSaidOfItsMembersBefore) {
+    const FlatModel flat = test::flatOf(R"(
+        record P parameter Real a(min = -100) = 1, b = 2; end P;
+        model Part parameter P p(a = 5); Real y = p.a*time + p.b; end Part;
+        model M parameter P other(a = 33); Part part(p = other), alone, both(p = other, p(b = 7)); end M;)");
+    EXPECT_EQ(test::valueOf(flat, "part.p.a"), 33);
+    EXPECT_EQ(test::valueOf(flat, "part.p.b"), 2);
+    EXPECT_EQ(test::valueOf(flat, "alone.p.a"), 5);
+    EXPECT_EQ(test::valueOf(flat, "both.p.a"), 33);
+    EXPECT_EQ(test::valueOf(flat, "both.p.b"), 7);
+    EXPECT_EQ(test::variable(flat, "part.p.a").min, -100);
+}
+
 TEST(Modification, FinalIsRespected) {
     const std::string source = "model Shaft Parts.Inertia rotor(final J = 2); end Shaft;";
     EXPECT_TRUE(variable(flatOf(source + "model M Shaft s; end M;"), "s.rotor.J").isFinal);

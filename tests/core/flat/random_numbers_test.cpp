@@ -123,6 +123,23 @@ TEST(RandomNumbers, ADiscreteParameterHasTheValueOfItsInitialEquation) {
     EXPECT_TRUE(flat.initialEquations.empty());
 }
 
+TEST(RandomNumbers, ThatFollowFromANameAreSaidToDoSo) {
+    const std::string text = R"(
+        function hash input String s; output Integer h; external "C" h = ModelicaStrings_hashString(s); end hash;
+        model Part parameter String name = getInstanceName(); parameter Integer seed = hash(%); Real y = seed*time;
+        end Part;
+        model M Part part; end M;)";
+    const auto remarksOf = [&](const std::string& hashed) {
+        std::string model = text;
+        model.replace(model.find('%'), 1, hashed);
+        const Outcome<FlatModel> flat = flatten(test::libraryOf(model), "M");
+        EXPECT_TRUE(flat) << format(flat.diagnostics());
+        return format(flat.diagnostics());
+    };
+    EXPECT_THAT(remarksOf("name"), ::testing::HasSubstr("random numbers follow from the name 'M.part'"));
+    EXPECT_EQ(remarksOf("\"M\""), "");
+}
+
 TEST(RandomNumbers, OfAHiddenStateAreRefused) {
     const auto faults = test::faultsOf(R"(
         function f input Integer id; output Real y;

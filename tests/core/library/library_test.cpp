@@ -387,6 +387,26 @@ TEST_F(LibraryTest, AnOlderNameLeadsToWhatTheClassIsCalledNow) {
     EXPECT_EQ(library->find("Modelica.SIunits.Length"), nullptr);
 }
 
+TEST_F(LibraryTest, WhatANameMeansIsFoundAnewWhereTheStudyHasItsOwn) {
+    write("lib/Plant/package.mo",
+          "package Plant model Motor Parts.Rotor rotor; Lost.Stator stator; end Motor; end Plant;");
+    write("lib/Parts/package.mo", "package Parts model Rotor end Rotor; end Parts;");
+    const Library library = Library().withDirectories({root_ / "lib"});
+    const auto meaning = [](const Library& in, const char* name) { return in.lookup(name, "Plant.Motor"); };
+    for (int k = 0; k < 2; ++k) {
+        ASSERT_NE(meaning(library, "Parts.Rotor"), nullptr);
+        EXPECT_EQ(meaning(library, "Parts.Rotor")->definition->classes.size(), 0u);
+        EXPECT_EQ(meaning(library, "Lost.Stator"), nullptr);
+        // another study over the same directories
+        const auto own =
+            library.withSources({sourceOf("package Parts model Rotor model Inner end Inner; end Rotor; end Parts;"),
+                                 sourceOf("package Lost model Stator end Stator; end Lost;")});
+        ASSERT_TRUE(own);
+        EXPECT_EQ(meaning(*own, "Parts.Rotor")->definition->classes.size(), 1u);
+        EXPECT_NE(meaning(*own, "Lost.Stator"), nullptr);
+    }
+}
+
 TEST_F(LibraryTest, OfSeveralVersionsTheUsedOneIsTaken) {
     for (const char* version : {"3.2.3", "4.0.0", "4.1.0", "10.0.0"})
         write(std::string("Mo ") + version + "/package.mo",

@@ -81,6 +81,30 @@ TEST(EventIteration, WhatKeepsSwitchingIsNamed) {
     EXPECT_THAT(format(run.faults), HasSubstr("'b' keeps switching"));
 }
 
+TEST(EventIteration, WhatLetsGoWithAJumpOfItsLoadFindsRestByWhatWasBefore) {
+    // A body sticks up to 2 N and slides against 1 N from then on: between them neither sticking nor sliding agrees
+    // with itself, until pre(slides) says which one it is.
+    const Simulated run = runOf(R"(
+        model M
+          Real v(start = 0, fixed = true), a, s, f = 4*time; Boolean slides(start = false, fixed = true);
+        equation
+          slides = s > 2 or pre(slides) and s > 1;
+          a = if slides then s - 1 else 0;
+          f = 10*a + (if slides then 1 else s);
+          der(v) = a;
+        end M;)",
+                                {"v", "slides"});
+    ASSERT_RAN(run);
+    EXPECT_EQ(run.at(0.499, "slides"), 0);
+    EXPECT_EQ(run.at(0.501, "slides"), 1);
+    EXPECT_NEAR(run.last("v"), (0.5 * 4 * (1 - 0.25) - 0.5) / 10, 1e-6);  // of (4 t - 1)/10 from 0.5 on
+}
+
+TEST(EventIteration, ARelationThatFindsNoRestIsToldByItsText) {
+    const Simulated run = runOf("model M Real y; equation y = if y > 0.5 + time then 0 else 1; end M;", {"y"}, 0.1);
+    EXPECT_THAT(format(run.faults), HasSubstr("'y > 0.5 + time' keeps switching"));
+}
+
 /// Two frictions on one shaft, of 0.5 and of 3 N.m, against a torque that grows. Where both hold, each takes half; the
 /// first then begins to slide, whereupon the second holds it exactly on its border.
 TEST(EventIteration, AFrictionThatBeginsToSlideWhereAnotherHoldsStaysOnItsBorder) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "tests/core/simulate/class_run.hpp"
 
@@ -387,6 +388,25 @@ TEST(EventRun, AParameterMayFollowOneThatIsFoundAtTheStart) {
     ASSERT_RAN(run);
     EXPECT_NEAR(run.last("thrice"), 0.3, 1e-12);
     EXPECT_NEAR(run.last("x"), 0.7, 1e-9);
+}
+
+TEST(EventRun, TextsThatChangeAreComparedAsTheyAre) {
+    const Simulated run = runOf(R"(
+        model M
+          type E = enumeration(one, two, three);
+          E e = if time < 0.2 then E.one else if time < 0.6 then E.two else E.three;
+          Boolean isTwo = "is " + String(e) == "is two", isLate = String(time > 0.4) <> "false", isBehind = String(e) > "p";
+        end M;)",
+                                {"isTwo", "isLate", "isBehind"});
+    ASSERT_RAN(run);
+    for (const auto& [time, two, late, behind] :
+         {std::tuple(0.1, 0, 0, 0), std::tuple(0.3, 1, 0, 1), std::tuple(0.5, 1, 1, 1), std::tuple(0.7, 0, 1, 1)}) {
+        EXPECT_EQ(run.at(time, "isTwo"), two) << time;
+        EXPECT_EQ(run.at(time, "isLate"), late) << time;
+        EXPECT_EQ(run.at(time, "isBehind"), behind) << time;
+    }
+    const Simulated refused = runOf("model M Boolean b = String(3*time) == \"3\"; end M;", {"b"});
+    EXPECT_THAT(format(refused.faults), HasSubstr("changes during the simulation: it cannot be compared"));
 }
 
 TEST(EventRun, ABranchMayDependOnAParameterThatIsFoundAtTheStart) {
