@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
 #include "core/base/stopwatch.hpp"
 #include "core/simulate/event_runner.hpp"
@@ -161,6 +162,41 @@ void EventRun::findScales() {
     }
 }
 
+/// df/dx along all states at once, exact: of stiff circuits the rates are differences of large numbers, which quotients
+/// of differences do not survive.
+int EventRun::slopes(double t, N_Vector y, N_Vector, SUNMatrix to, void* self, N_Vector scratch, N_Vector, N_Vector) {
+    auto& run = *static_cast<EventRun*>(self);
+    const std::size_t n = run.n_;
+    if (!run.hasSlopes_) {
+        const std::vector<double> still(run.parameters_.size() * n);
+        if (!run.system_.setParameters(run.slopes_, run.parameters_, still)) return 1;
+        run.hasSlopes_ = true;
+    }
+    run.takeDelayed(t);
+    if (!run.system_.derivatives(run.slopes_, t, {N_VGetArrayPointer(y), n}, run.along_, run.u_, {},
+                                 {N_VGetArrayPointer(scratch), n}, run.jacobian_))
+        return 1;
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < n; ++k)
+            if (!std::isfinite(run.jacobian_[i * n + k])) return -1;
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < n; ++k)
+            SM_ELEMENT_D(to, static_cast<sunindextype>(i), static_cast<sunindextype>(k)) = run.jacobian_[i * n + k];
+    return 0;
+}
+
+/// The matrix of small models by themselves; else the integrator finds it by differences.
+bool EventRun::setUpSlopes() {
+    constexpr std::size_t most = 64;
+    if (drive_ || n_ == 0 || n_ > most) return true;
+    slopes_ = system_.workspace(static_cast<int>(n_));
+    along_.assign(n_ * n_, 0);
+    for (std::size_t i = 0; i < n_; ++i) along_[i * n_ + i] = 1;
+    jacobian_.resize(n_ * n_);
+    isExact_ = true;
+    return CVodeSetJacFn(cvodes_.get(), slopes) == CV_SUCCESS;
+}
+
 int EventRun::roots(double t, N_Vector y, double* values, void* self) {
     auto& run = *static_cast<EventRun*>(self);
     if (!run.read(t, N_VGetArrayPointer(y), run.rootReadings_)) return -1;
@@ -203,7 +239,7 @@ bool EventRun::setUp() {
     for (const DelayHistory& delay : delays_) longest = std::min(longest, delay.delay());
     CVodeSetMaxStep(memory, longest);
     findScales();
-    return ok && setUpTangents();
+    return ok && setUpSlopes() && setUpTangents();
 }
 
 bool EventRun::restart() {
@@ -231,6 +267,10 @@ bool EventRun::advance(double interval) {
     if ((++result_.steps & 63) == 0) {
         if (progress_.stopRequested()) return isStopped(phrase("cancelled"), true);
         if (secondsSince(began_) > options_.secondsLimit) return isStopped(phrase("time limit"), false);
+    }
+    if (flag < 0 && std::exchange(isExact_, false)) {
+        // some way from the solution exact slopes can mislead where differences do not: on with these from here
+        return CVodeSetJacFn(cvodes_.get(), nullptr) == CV_SUCCESS && restart();
     }
     if (flag < 0) {
         const std::string variable = system_.failure(workspace_);

@@ -110,6 +110,7 @@ bool EventRun::failed(Text message, Text hint) {
 bool EventRun::takeSlots() {
     if (taken_ == slots_ && !taken_.empty()) return true;
     taken_ = slots_;
+    hasSlopes_ = false;
     for (std::size_t s = 0; s < slots_.size(); ++s)
         if (slotAt_[s] >= 0) parameters_[static_cast<std::size_t>(slotAt_[s])] = slots_[s];
     return system_.setParameters(workspace_, parameters_);

@@ -86,6 +86,8 @@ private:
     bool takeTangents(double t);
     bool setUpTangents();
     void findScales();
+    static int slopes(double t, N_Vector y, N_Vector, SUNMatrix to, void* self, N_Vector scratch, N_Vector, N_Vector);
+    bool setUpSlopes();
     static int roots(double t, N_Vector y, double* values, void* self);
     bool setUp();
     bool restart();
@@ -107,6 +109,10 @@ private:
     RecordedDrive* drive_;     // null: a class by itself
     EventTangents* tangents_;  // null: none
     Workspace workspace_;
+    Workspace slopes_;  // with a direction for each state
+    bool hasSlopes_{};  // with the parameters in force
+    bool isExact_{};    // the matrix of the integrator is made of them
+    std::vector<double> along_, jacobian_;
     std::size_t n_;
     std::vector<double> slots_, readings_, rootReadings_, x_, u_, values_, taken_;
     std::vector<char> isDue_;                  // by step of the program

@@ -390,6 +390,28 @@ TEST(EventRun, AParameterMayFollowOneThatIsFoundAtTheStart) {
     EXPECT_NEAR(run.last("x"), 0.7, 1e-9);
 }
 
+TEST(EventRun, StiffRatesThatAreDifferencesOfLargeNumbersTakeFewSteps) {
+    // 1000 + x has one digit more than x needs: quotients of differences of the rate say nothing of its slope
+    const Simulated run = runOf(
+        "model M Real x(start = 0, fixed = true); equation der(x) = 1e9*((1000 + 1e-6*sin(10*time)) - (1000 + x)); "
+        "end M;",
+        {"x"}, 1, 1e-6);
+    ASSERT_RAN(run);
+    EXPECT_LT(run.trajectory.steps, 1000) << "128817 with a matrix by differences";
+    EXPECT_NEAR(run.last("x"), 1e-6 * std::sin(10.0), 1e-8);
+}
+
+TEST(EventRun, GoesOnByDifferencesWhereSlopesHaveNoValue) {
+    // the slope of the root is infinite where it begins
+    const Simulated run =
+        runOf("model M Real x(start = 0, fixed = true); equation der(x) = 1 - 0.5*sqrt(noEvent(max(x, 0))); end M;",
+              {"x"}, 1, 1e-6);
+    ASSERT_RAN(run);
+    // t = -4 (s + 2 ln(1 - s/2)) with s = sqrt(x)
+    const double s = std::sqrt(run.last("x"));
+    EXPECT_NEAR(-4 * (s + 2 * std::log(1 - s / 2)), 1, 1e-4);
+}
+
 TEST(EventRun, TextsThatChangeAreComparedAsTheyAre) {
     const Simulated run = runOf(R"(
         model M
