@@ -424,6 +424,24 @@ bool Executor::store(const syntax::Expression& target, const Value& value, const
 }
 
 /// Stores into a local value: `x`, `x[i]`, `r.a[2, :]`.
+namespace {
+
+/// One record of an array of them.
+bool storeRecord(Value& array, std::size_t place, const Value& record) {
+    const std::size_t places = std::max<std::size_t>(1, elementCount(array.dimensions));
+    for (auto& [name, member] : array.members) {
+        const Value* const from = record.member(name);
+        const std::size_t count = member.elements.size() / places;
+        if (!from || from->isRecord() || from->elements.size() != count || member.type == FlatType::String)
+            return false;
+        std::copy(from->elements.begin(), from->elements.end(),
+                  member.elements.begin() + static_cast<std::ptrdiff_t>(place * count));
+    }
+    return !array.members.empty();
+}
+
+}  // namespace
+
 bool Executor::storeIn(Value& target, const std::vector<syntax::NamePart>& parts, std::size_t part, const Value& value,
                        const Scope& scope, const Span& span) {
     const syntax::NamePart& here = parts[part];
@@ -462,6 +480,8 @@ bool Executor::storeIn(Value& target, const std::vector<syntax::NamePart>& parts
                   : work_.translator->subscriptLists(target.dimensions, here.subscripts, scope, span, remaining);
         if (!lists) return false;
         std::vector<std::size_t> places = elementOffsets(*lists, target.dimensions);
+        if (target.isRecord() && part + 1 == parts.size() && value.isRecord() && value.isScalar() && places.size() == 1)
+            return storeRecord(target, places[0], value) || refuse();
         if (target.isRecord() || part + 1 < parts.size()) {
             if (!target.isRecord() || part + 1 >= parts.size() || places.size() != 1) return refuse();
             Value* member = target.member(parts[part + 1].identifier);

@@ -363,6 +363,19 @@ std::optional<Value> Translator::selectFromValue(Value value, const std::vector<
     result.enumeration = value.enumeration;
     const auto lists = subscriptLists(value.dimensions, subscripts, scope, span, result.dimensions);
     if (!lists) return std::nullopt;
+    if (value.isObject() || value.isFunction()) {
+        work_.messages.error(phrase("'{}' is no array of values", span.text()), span);
+        return std::nullopt;
+    }
+    if (value.isRecord()) {  // its dimensions lead those of its members
+        result.record = value.record;
+        for (auto& [name, member] : value.members) {
+            auto part = selectFromValue(std::move(member), subscripts, scope, span);
+            if (!part) return std::nullopt;
+            result.members.emplace_back(name, std::move(*part));
+        }
+        return result;
+    }
     for (std::size_t offset : elementOffsets(*lists, value.dimensions)) {
         if (value.type == FlatType::String)
             result.texts.push_back(value.texts[offset]);

@@ -10992,6 +10992,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>die Werte statt ihrer Texte vergleichen</translation>
     </message>
     <message>
+        <source>'{}' is no array of values</source>
+        <translation>'{}' ist kein Feld von Werten</translation>
+    </message>
+    <message>
         <source>the model prints: {}</source>
         <translation>das Modell gibt aus: {}</translation>
     </message>

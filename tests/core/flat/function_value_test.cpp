@@ -42,6 +42,36 @@ double atTime(const FlatModel& m, double time) {
     return m.pool->evaluate(m.equations.at(0).right, [&](const ExpressionNode&) { return time; });
 }
 
+const std::string complexNumbers = R"(
+    record C Real re; Real im; end C;
+    function first input C u; output Real y; algorithm y := u.re; end first;
+)";
+
+TEST(RecordArrays, AreReadByTheirElementsInFunctions) {
+    const std::string text = complexNumbers + R"(
+        function pairSum input C u[:]; output Real y; algorithm y := sum(u[k].re*u[k].im for k in 1:size(u, 1));
+        end pairSum;
+        function mixed input C u[:]; output Real y; protected C one; C some[2]; algorithm
+          one := u[2]; some := u[{1, 2}]; y := first(u[1]) + 10*one.im + 100*some[2].re; end mixed;
+        model M Real a = pairSum({C(1, 2), C(3, 4)}), b = mixed({C(1, 2), C(3, 4)}); end M;)";
+    EXPECT_THAT(equations(flatOf(text)), ElementsAre("a = 14", "b = 341"));
+}
+
+TEST(RecordArrays, AreWrittenByTheirElementsInFunctions) {
+    EXPECT_THAT(equations(flatOf(complexNumbers + R"(
+        function turned input C u[2]; output Real y; protected C v[2]; algorithm
+          v[1] := u[2]; v[2] := C(5, 7); v[2].im := 6; y := v[1].re + 10*v[1].im + 100*v[2].re + 1000*v[2].im; end turned;
+        model M Real a = turned({C(1, 2), C(3, 4)}); end M;)")),
+                ElementsAre("a = 6543"));
+}
+
+TEST(RecordArrays, WhatIsNoArrayHasNoElements) {
+    EXPECT_THAT(faultsOf(functions + R"(
+        function wrong input Shape shape; output Real y; algorithm y := shape[1]; end wrong;
+        model M Real x = wrong(Square); end M;)"),
+                ::testing::Not(::testing::IsEmpty()));
+}
+
 TEST(OpenLoops, TakeAsManyTurnsAsTheirConditionAllows) {
     const FlatModel m = flatOf(R"(
         function rows input Real table[:, 2]; input Real u; output Real y; protected Integer i;
