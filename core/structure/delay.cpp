@@ -58,10 +58,10 @@ private:
     ExpressionId follow(ExpressionId unknown) {
         const auto known = followed_.find(unknown.value);
         if (known != followed_.end()) return known->second;
+        followed_[unknown.value] = {};  // what comes back to itself by delays alone is none of inputs
         const auto definition = definition_.find(unknown.value);
         const ExpressionId source = definition == definition_.end() ? ExpressionId{} : sourceOf(definition->second);
-        followed_.emplace(unknown.value, source);
-        return source;
+        return followed_[unknown.value] = source;
     }
 
     bool isDelayedInput(ExpressionId id) const {
