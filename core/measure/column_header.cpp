@@ -83,11 +83,13 @@ ColumnHeader readColumnHeader(std::string_view text) {
             if (text[i] == ')') ++depth;
             if (text[i] == '(' && --depth == 0) {
                 const std::string_view unit = text.substr(i + 1, text.size() - i - 2);
-                if (isUnit(unit)) return make(text.substr(0, i), unit);
+                const bool isQuotient = i > 1 && text[i - 1] == '/';  // "n/(1/min)"
+                if (isUnit(unit)) return make(text.substr(0, isQuotient ? i - 1 : i), unit);
                 break;
             }
         }
     }
+    if (text.starts_with("in ") && isUnit(text.substr(3))) return make({}, text.substr(3));  // of a time, no name
     if (const std::size_t word = text.rfind(" in "); word != std::string_view::npos && word > 0)
         if (isUnit(text.substr(word + 4))) return make(text.substr(0, word), text.substr(word + 4));
     if (const std::size_t slash = text.find(" / "); slash != std::string_view::npos && slash > 0)

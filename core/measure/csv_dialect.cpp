@@ -93,12 +93,39 @@ CellValue readWord(std::string_view text) {
         return {Kind::Missing, nan};
     if (isOneOf(word, {"inf", "infinity", "1.#inf", "+inf"})) return {Kind::Infinite, infinity};
     if (isOneOf(word, {"-inf", "-infinity", "-1.#inf"})) return {Kind::Infinite, -infinity};
-    if (isOneOf(word, {"ol",           "+ol",          "-ol",           "o.l",           "o.l.",
-                       "ovl",          "ovld",         "ovf",           "over",          "+over",
-                       "-over",        "under",        "+under",        "-under",        "overload",
-                       "overflow",     "underflow",    "overrange",     "underrange",    "over range",
-                       "under range",  "+overflow",    "-overflow",     "+overload",     "-overload",
-                       "out of range", "\xE2\x88\x9E", "+\xE2\x88\x9E", "-\xE2\x88\x9E", "\xE2\x88\x92\xE2\x88\x9E"}) ||
+    if (isOneOf(word, {"ol",
+                       "+ol",
+                       "-ol",
+                       "o.l",
+                       "o.l.",
+                       "ovl",
+                       "ovld",
+                       "ovf",
+                       "ofl",
+                       "+ofl",
+                       "-ofl",
+                       "over",
+                       "+over",
+                       "-over",
+                       "under",
+                       "+under",
+                       "-under",
+                       "overload",
+                       "overflow",
+                       "underflow",
+                       "overrange",
+                       "underrange",
+                       "over range",
+                       "under range",
+                       "+overflow",
+                       "-overflow",
+                       "+overload",
+                       "-overload",
+                       "out of range",
+                       "\xE2\x88\x9E",
+                       "+\xE2\x88\x9E",
+                       "-\xE2\x88\x9E",
+                       "\xE2\x88\x92\xE2\x88\x9E"}) ||
         isRowOf(word, "*><", 3) || isRowOf(word, "#+", 4))
         return {Kind::Beyond, nan};
     return {};

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include "core/measure/csv_dialect.hpp"
 
@@ -55,20 +56,40 @@ std::string utf16ToUtf8(std::string_view bytes, bool bigEndian) {
     return out;
 }
 
-enum class Wide { No, LittleEndian, BigEndian };
+std::string utf32ToUtf8(std::string_view bytes, bool bigEndian) {
+    constexpr std::uint32_t replacement = 0xFFFD;
+    std::string out;
+    out.reserve(bytes.size() / 4);
+    for (std::size_t i = 0; i + 3 < bytes.size(); i += 4) {
+        std::uint32_t code = 0;
+        for (std::size_t k = 0; k < 4; ++k)
+            code = code << 8 | static_cast<unsigned char>(bytes[bigEndian ? i + k : i + 3 - k]);
+        const bool isLetter = code < 0x110000 && (code < 0xD800 || code >= 0xE000);
+        appendUtf8(out, isLetter ? code : replacement);
+    }
+    return out;
+}
 
-/// UTF-16 by its mark; without one by its zeros: every other byte of plain letters is one.
-Wide wideOf(std::string_view bytes) {
-    if (bytes.substr(0, 2) == "\xFF\xFE") return Wide::LittleEndian;
-    if (bytes.substr(0, 2) == "\xFE\xFF") return Wide::BigEndian;
+constexpr std::array<std::pair<Encoding, std::string_view>, 4> wideMarks{
+    {{Encoding::Utf32LittleEndian, {"\xFF\xFE\0\0", 4}},  // before that of UTF-16, which is its front
+     {Encoding::Utf32BigEndian, {"\0\0\xFE\xFF", 4}},
+     {Encoding::Utf16LittleEndian, {"\xFF\xFE", 2}},
+     {Encoding::Utf16BigEndian, {"\xFE\xFF", 2}}}};
+
+/// By its mark; without one by its zeros: every other byte of plain letters is one, or three of four are.
+Encoding wideOf(std::string_view bytes) {
+    for (const auto& [encoding, mark] : wideMarks)
+        if (bytes.starts_with(mark)) return encoding;
     const std::string_view head = bytes.substr(0, 256);
-    if (head.size() < 8) return Wide::No;
-    std::array<std::size_t, 2> zeros{};
-    for (std::size_t i = 0; i < head.size(); ++i) zeros[i % 2] += head[i] == '\0';
-    const std::size_t many = head.size() * 2 / 5;
-    if (zeros[0] == 0 && zeros[1] >= many) return Wide::LittleEndian;
-    if (zeros[1] == 0 && zeros[0] >= many) return Wide::BigEndian;
-    return Wide::No;
+    if (head.size() < 8) return Encoding::AsIs;
+    std::array<std::size_t, 4> zeros{};
+    for (std::size_t i = 0; i < head.size(); ++i) zeros[i % 4] += head[i] == '\0';
+    const std::size_t all = head.size() / 4, many = all * 4 / 5;
+    if (zeros[0] == 0 && zeros[2] >= many && zeros[3] >= all) return Encoding::Utf32LittleEndian;
+    if (zeros[3] == 0 && zeros[1] >= many && zeros[0] >= all) return Encoding::Utf32BigEndian;
+    const auto [front, back] = std::pair{zeros[0] + zeros[2], zeros[1] + zeros[3]};
+    if (front == 0 && back >= 2 * many) return Encoding::Utf16LittleEndian;
+    return back == 0 && front >= 2 * many ? Encoding::Utf16BigEndian : Encoding::AsIs;
 }
 
 /// Of the bytes 0x80 to 0x9F of Windows-1252.
@@ -79,12 +100,13 @@ constexpr std::array<std::uint16_t, 32> windowsLetters{0x20AC, 0x81,   0x201A, 0
 
 }  // namespace
 
-bool isWideText(std::string_view bytes) { return wideOf(bytes) != Wide::No; }
+bool isWideText(std::string_view bytes) { return wideOf(bytes) != Encoding::AsIs; }
 
-Encoding encodingOf(std::string_view head) {
-    const Wide wide = wideOf(head);
-    if (wide == Wide::No) return Encoding::AsIs;
-    return wide == Wide::BigEndian ? Encoding::Utf16BigEndian : Encoding::Utf16LittleEndian;
+Encoding encodingOf(std::string_view head) { return wideOf(head); }
+
+std::size_t unitBytes(Encoding encoding) {
+    if (encoding == Encoding::Utf32LittleEndian || encoding == Encoding::Utf32BigEndian) return 4;
+    return encoding == Encoding::Utf16LittleEndian || encoding == Encoding::Utf16BigEndian ? 2 : 1;
 }
 
 std::optional<Encoding> encodingNamed(std::string_view encoding) {
@@ -93,7 +115,9 @@ std::optional<Encoding> encodingNamed(std::string_view encoding) {
         if (c != '-' && c != '_' && c != ' ') name.push_back(c);
     if (name == "utf16le") return Encoding::Utf16LittleEndian;
     if (name == "utf16be") return Encoding::Utf16BigEndian;
-    if (name == "utf16") return Encoding::Found;
+    if (name == "utf32le") return Encoding::Utf32LittleEndian;
+    if (name == "utf32be") return Encoding::Utf32BigEndian;
+    if (name == "utf16" || name == "utf32") return Encoding::Found;
     if (name == "utf8") return Encoding::AsIs;
     if (name == "windows1252" || name == "cp1252" || name == "latin1" || name == "iso88591" || name == "ascii")
         return Encoding::Windows1252;
@@ -103,14 +127,16 @@ std::optional<Encoding> encodingNamed(std::string_view encoding) {
 std::size_t markLength(std::string_view head, Encoding encoding) {
     const auto lengthOf = [&](std::string_view mark) { return head.starts_with(mark) ? mark.size() : 0; };
     if (encoding == Encoding::AsIs) return lengthOf("\xEF\xBB\xBF");
-    if (encoding == Encoding::Utf16LittleEndian) return lengthOf("\xFF\xFE");
-    return encoding == Encoding::Utf16BigEndian ? lengthOf("\xFE\xFF") : 0;
+    for (const auto& [wide, mark] : wideMarks)
+        if (encoding == wide) return lengthOf(mark);
+    return 0;
 }
 
 std::string decodeText(std::string_view part, Encoding encoding) {
     if (encoding == Encoding::Found) encoding = encodingOf(part);
     if (encoding == Encoding::AsIs) return std::string(part);
     if (encoding == Encoding::Windows1252) return latin1ToUtf8(part);
+    if (unitBytes(encoding) == 4) return utf32ToUtf8(part, encoding == Encoding::Utf32BigEndian);
     return utf16ToUtf8(part, encoding == Encoding::Utf16BigEndian);
 }
 

@@ -18,13 +18,33 @@ public:
 
     ByteView bytes() const { return bytes_; }
     /// The memory of what was looked at is given back; whatever is looked at again is found again. For whoever goes
-    /// through more of a file than is kept of it: each `letGoBytes`.
+    /// through more of a file than is kept of it (WayThrough).
     void letGo() const;
-    static constexpr std::size_t letGoBytes = std::size_t{8} << 20;
 
 private:
     explicit MappedFile(ByteView bytes) : bytes_(bytes) {}
     ByteView bytes_;
+};
+
+/// One who goes through a file: what was looked at is let go of now and then, and at the end.
+class WayThrough {
+public:
+    explicit WayThrough(const MappedFile& file) : file_(file) {}
+    ~WayThrough() { file_.letGo(); }
+    WayThrough(const WayThrough&) = delete;
+    WayThrough& operator=(const WayThrough&) = delete;
+
+    /// So many bytes were looked at.
+    void pass(std::size_t bytes) {
+        if ((seen_ += bytes) < most) return;
+        file_.letGo();
+        seen_ = 0;
+    }
+
+private:
+    static constexpr std::size_t most = std::size_t{8} << 20;
+    const MappedFile& file_;
+    std::size_t seen_{};
 };
 
 }  // namespace analogon

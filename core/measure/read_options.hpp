@@ -23,7 +23,7 @@ struct ReadOptions {
     std::string timeFormat;  // "%d.%m.%Y %H:%M:%S" or "dd.MM.yyyy HH:mm:ss"; or how the rows follow: "0.001 s",
                              // "1 kHz"; or the unit of a time that has none: "d"
     std::string timeZone;    // of stamps that have none: "Europe/Berlin", "+02:00", "UTC"
-    std::string encoding;    // "utf-8", "utf-16le", "utf-16be", "windows-1252", "iso-8859-1"
+    std::string encoding;    // "utf-8", "utf-16le", "utf-16be", "utf-32le", "utf-32be", "windows-1252", "iso-8859-1"
     std::map<std::string, std::string> unitNames{};  // what units of the file that nobody knows mean; of any file
 
     friend bool operator==(const ReadOptions&, const ReadOptions&) = default;

@@ -7800,6 +7800,78 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Was ist „{}“ in Spalte „{}“?</translation>
     </message>
     <message>
+        <source>the channels of this table stand in rows</source>
+        <translation>die Kanäle dieser Tabelle stehen in Zeilen</translation>
+    </message>
+    <message>
+        <source>Turn it round, so that each channel is a column with its name on top.</source>
+        <translation>Die Tabelle drehen, sodass jeder Kanal eine Spalte mit seinem Namen darüber ist.</translation>
+    </message>
+    <message>
+        <source>date and clock in one number</source>
+        <translation>Datum und Uhrzeit in einer Zahl</translation>
+    </message>
+    <message>
+        <source>the time in column '{}' begins at {:.14g} and has no unit: these may be seconds, or {}</source>
+        <translation>die Zeit in Spalte „{}“ beginnt bei {:.14g} und hat keine Einheit: Das können Sekunden sein oder {}</translation>
+    </message>
+    <message>
+        <source>Say it in the study: &quot;read&quot;: {{&quot;time_format&quot;: &quot;{}&quot;}} or {{&quot;time_format&quot;: &quot;s&quot;}}.</source>
+        <translation>In der Studie steht es so: &quot;read&quot;: {{&quot;time_format&quot;: &quot;{}&quot;}} oder {{&quot;time_format&quot;: &quot;s&quot;}}.</translation>
+    </message>
+    <message>
+        <source>the unit of channel '{}' changes from row to row: {}</source>
+        <translation>die Einheit des Kanals „{}“ wechselt von Zeile zu Zeile: {}</translation>
+    </message>
+    <message>
+        <source>each row has one value and tells in column '{}' which channel it belongs to: there are {} channels</source>
+        <translation>jede Zeile hat einen Wert und sagt in Spalte „{}“, zu welchem Kanal er gehört: Es sind {} Kanäle</translation>
+    </message>
+    <message>
+        <source>several rows share each stamp, and column '{}' tells them apart: they seem to be rows of several channels</source>
+        <translation>mehrere Zeilen teilen sich einen Zeitstempel, und Spalte „{}“ unterscheidet sie: Es scheinen Zeilen mehrerer Kanäle zu sein</translation>
+    </message>
+    <message>
+        <source>Export one column a channel, or call the columns &quot;name&quot; and &quot;value&quot;.</source>
+        <translation>Für jeden Kanal eine Spalte exportieren, oder die Spalten „name“ und „value“ nennen.</translation>
+    </message>
+    <message>
+        <source>count days and some do not</source>
+        <translation>zählen Tage und manche nicht</translation>
+    </message>
+    <message>
+        <source>days, hours, minutes and seconds</source>
+        <translation>Tage, Stunden, Minuten und Sekunden</translation>
+    </message>
+    <message>
+        <source>hours, minutes, seconds and hundredths</source>
+        <translation>Stunden, Minuten, Sekunden und Hundertstel</translation>
+    </message>
+    <message>
+        <source>'{}' in column '{}' may be days, hours, minutes and seconds, or hours, minutes, seconds and hundredths</source>
+        <translation>„{}“ in Spalte „{}“ können Tage, Stunden, Minuten und Sekunden oder Stunden, Minuten, Sekunden und Hundertstel sein</translation>
+    </message>
+    <message>
+        <source>Say it in the study: &quot;read&quot;: {{&quot;time_format&quot;: &quot;%j:%H:%M:%S&quot;}} or &quot;%H:%M:%S:%f&quot;.</source>
+        <translation>In der Studie steht es so: &quot;read&quot;: {{&quot;time_format&quot;: &quot;%j:%H:%M:%S&quot;}} oder &quot;%H:%M:%S:%f&quot;.</translation>
+    </message>
+    <message>
+        <source>hours, minutes and seconds in one number</source>
+        <translation>Stunden, Minuten und Sekunden in einer Zahl</translation>
+    </message>
+    <message>
+        <source>, settings beside the first rows</source>
+        <translation>, Einstellungen neben den ersten Zeilen</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is taken for the time of &quot;{}&quot;; &quot;{}&quot; has as many values</source>
+        <translation>„{}“ gilt als Zeit von „{}“; „{}“ hat ebenso viele Werte</translation>
+    </message>
+    <message>
+        <source>sheet &quot;{}&quot;, column &quot;{}&quot;: its numbers are written as text, and their mark may stand for decimals or between thousands: write them as numbers</source>
+        <translation>Blatt „{}“, Spalte „{}“: Die Zahlen sind als Text geschrieben, und ihr Zeichen kann für Dezimalen oder zwischen Tausendern stehen: als Zahlen schreiben</translation>
+    </message>
+    <message>
         <source>hours and minutes</source>
         <translation>Stunden und Minuten</translation>
     </message>
@@ -7944,8 +8016,8 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Es ist . , ' oder ein Leerzeichen.</translation>
     </message>
     <message>
-        <source>It is utf-8, utf-16le, utf-16be, windows-1252 or iso-8859-1.</source>
-        <translation>Es ist utf-8, utf-16le, utf-16be, windows-1252 oder iso-8859-1.</translation>
+        <source>It is utf-8, utf-16le, utf-16be, utf-32le, utf-32be, windows-1252 or iso-8859-1.</source>
+        <translation>Es ist utf-8, utf-16le, utf-16be, utf-32le, utf-32be, windows-1252 oder iso-8859-1.</translation>
     </message>
     <message>
         <source>a table of the Modelica Standard Library: its columns have no names and are called by their numbers, the first is the time in seconds</source>

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTableWidget>
 #include <QTimer>
 #include <QToolButton>
@@ -74,6 +75,32 @@ TEST_F(Import, AsksWhatAMarkStandsForAndKeepsTheAnswer) {
     const auto table = fileTable(document().study().tables, taken);
     ASSERT_TRUE(table);
     EXPECT_EQ(table->find("n")->values.front(), 1234);
+}
+
+TEST_F(Import, IsWholeInANarrowWindow) {
+    window.resize(1024, 700);
+    openLambda();
+    window.open(write("gaps.txt", "  t[s]   u[V]  i[A]\n 0.0  20.5   1.5\n 0.1  20.5\n 0.2  20.5   2.5\n"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !import()->problems().isEmpty(); }, 20000));
+    QTest::qWait(50);
+    auto* told = import()->findChild<QLabel*>("problems");
+    ASSERT_TRUE(told);
+    EXPECT_GT(2 * told->width(), import()->width()) << "a sentence, and not a word a line";
+    EXPECT_GE(import()->findChild<QScrollArea*>()->height(), 8 * import()->fontMetrics().height());
+    QByteArray text = "t";
+    for (int c = 1; c <= 30; ++c) text += ";channel_" + QByteArray::number(c);
+    for (int row = 0; row < 9; ++row) {
+        text += '\n' + QByteArray::number(row);
+        for (int c = 1; c <= 30; ++c) text += ';' + QByteArray::number(row * c);
+    }
+    window.open(write("many.csv", text));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return import()->browser()->isVisible(); }, 20000));
+    QTest::qWait(50);
+    EXPECT_GT(import()->browser()->searchField()->width(), 150);
+    for (const QPushButton* button : import()->findChildren<QPushButton*>())
+        if (button->isVisible()) {
+            EXPECT_GE(button->width(), button->minimumSizeHint().width()) << button->text().toStdString();
+        }
 }
 
 TEST_F(Import, OneQuestionFollowsAnother) {

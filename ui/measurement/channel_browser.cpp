@@ -84,12 +84,15 @@ ChannelBrowser::ChannelBrowser(QWidget* parent)
     auto* top = new QHBoxLayout;
     top->addWidget(search_, 1);
     top->addWidget(tick_);
-    top->addWidget(read_);
+    auto* bottom = new QHBoxLayout;
+    bottom->addStretch(1);
+    bottom->addWidget(read_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2 * style::unit);
     layout->addLayout(top);
     layout->addLayout(middle, 1);
+    layout->addLayout(bottom);
     connect(search_, &QLineEdit::textChanged, this, &ChannelBrowser::filter);
     style::findBy(*this, [this] { return search_; });
     connect(tick_, &QPushButton::clicked, this, &ChannelBrowser::tickShown);

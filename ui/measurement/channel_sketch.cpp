@@ -57,7 +57,7 @@ CourseSketch sketchOf(const MeasurementFile& file, std::size_t group, std::size_
     return course;
 }
 
-ChannelSketch::ChannelSketch(QWidget* parent) : QWidget(parent) { setMinimumSize(220, 140); }
+ChannelSketch::ChannelSketch(QWidget* parent) : QWidget(parent) { setMinimumSize(140, 100); }
 
 void ChannelSketch::show(CourseSketch course) {
     course_ = std::move(course);

@@ -72,6 +72,7 @@ ImportPanel::ImportPanel(Document& document, QWidget* parent)
       scroll_(new QScrollArea(this)) {
     style::makeHeading(title_, 1.2);
     problems_->setWordWrap(true);
+    problems_->setObjectName("problems");
     problems_->setTextInteractionFlags(Qt::TextBrowserInteraction);
     converted_->setToolTip(tr("The values as a model in SI units gets them; the file stays as it is"));
     role_->addItem(tr("fit"), static_cast<int>(Role::Fit));
@@ -110,11 +111,13 @@ void ImportPanel::layOut() {
         grid->setColumnStretch(column++, 1);
     }
     auto* buttons = new QHBoxLayout;
-    buttons->addWidget(problems_, 1);
     buttons->addWidget(progress_);
-    buttons->addWidget(choose_);
+    buttons->addStretch(1);
     buttons->addWidget(cancel_);
     buttons->addWidget(accept_);
+    auto* telling = new QHBoxLayout;
+    telling->addWidget(problems_, 1);
+    telling->addWidget(choose_);
     auto* heading = new QHBoxLayout;
     heading->addWidget(title_, 1);
     heading->addWidget(converted_);
@@ -140,6 +143,7 @@ void ImportPanel::layOut() {
     layout->setSpacing(2 * style::unit);
     layout->addLayout(heading);
     layout->addWidget(scroll_, 1);
+    layout->addLayout(telling);  // above the buttons: beside them a narrow window leaves it a word a line
     layout->addLayout(buttons);
     question_->hide();
 }
@@ -210,6 +214,7 @@ void ImportPanel::takeAnswer(const ReadOptions& options) {
 void ImportPanel::browse() {
     shown_->show();
     pages_->setCurrentWidget(browser_);
+    choose_->hide();  // there one chooses
     accept_->setEnabled(false);
     problems_->setPalette(palette());
     problems_->setText(told_ = tr("The file holds %1 channels. Tick those that are to be read; the others stay in it.")
@@ -272,7 +277,6 @@ void ImportPanel::showLook(Look look) {
     fields_->setVisible(isText_);
     recording_ = look.recording;
     if (!recording_) return showPreview(std::move(look.preview));
-    choose_->show();
     browser_->show(recording_);
     browse();
 }
@@ -317,7 +321,8 @@ void ImportPanel::tellProblems(const Diagnostics& problems) {
     for (std::size_t i = 0; i < std::min(problems.size(), most); ++i) {
         const Diagnostic& d = problems[i];
         QString text = inWords(d.message);
-        if (!d.hint.empty()) text += " " + inWords(d.hint);
+        const bool isSentence = text.endsWith('.') || text.endsWith('?') || text.endsWith(':');
+        if (!d.hint.empty()) text += (isSentence ? " " : ". ") + inWords(d.hint);
         const QString line = d.place.line > 0 ? tr("line %1: ").arg(d.place.line) : QString();
         plain << line + text;
         linked << (line.isEmpty() ? QString() : QStringLiteral("<a href='%1'>%2</a>").arg(d.place.line).arg(line)) +
@@ -364,7 +369,7 @@ void ImportPanel::showPreview(Preview preview) {
     view_->resizeColumnsToContents();
     showTimes(preview.time);
     const bool isToBeChosen = isText_ && recording_ && hasMany(*recording_);
-    if (isText_) choose_->setVisible(isToBeChosen);
+    choose_->setVisible(recording_ && hasMany(*recording_));
     if (isToBeChosen && chosen_.empty()) {
         browser_->show(recording_);
         browse();

@@ -1,5 +1,6 @@
 #include "ui/measurement/question_card.hpp"
 
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -36,7 +37,7 @@ QuestionCard::QuestionCard(QWidget* parent)
       note_(new QLabel(this)),
       table_(new QTableWidget(this)),
       typed_(new QLineEdit(this)),
-      answers_(new QHBoxLayout),
+      answers_(new QGridLayout),
       typedRow_(new QHBoxLayout) {
     setFrameShape(QFrame::StyledPanel);
     style::makeHeading(text_, 1.05);
@@ -54,7 +55,9 @@ QuestionCard::QuestionCard(QWidget* parent)
     connect(typed_, &QLineEdit::textChanged, this, [this] {
         if (take_) take_->setEnabled(typed().has_value());
     });
-    for (QHBoxLayout* row : {answers_, typedRow_}) row->setSpacing(2 * style::unit);
+    answers_->setSpacing(2 * style::unit);
+    answers_->setColumnStretch(2, 1);
+    typedRow_->setSpacing(2 * style::unit);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(style::margin, style::margin, style::margin, style::margin);
     layout->setSpacing(2 * style::unit);
@@ -70,16 +73,20 @@ void QuestionCard::ask(const Question& question, const QuestionRows& rows, const
     kind_ = question.kind;
     unit_ = question.unit;
     text_->setText(inWords(question.text));
-    for (QHBoxLayout* row : {answers_, typedRow_}) clear(row);
+    clear(answers_);
+    clear(typedRow_);
     buttons_.clear();
     take_ = nullptr;
     typed_->clear();
     typed_->setVisible(kind_ != Question::Kind::Choice);
     table_->setVisible(kind_ != Question::Kind::Interval && !rows.rows.empty());
     if (kind_ != Question::Kind::Interval) fill(question, rows);
-    for (const Reading& reading : question.readings)
-        connect(addButton(inWords(reading.label), answers_), &QPushButton::clicked, this,
-                [this, options = reading.options] { Q_EMIT answered(options); });
+    for (const Reading& reading : question.readings) {
+        QPushButton* const button = addButton(inWords(reading.label));
+        const auto place = static_cast<int>(buttons_.size()) - 1;
+        answers_->addWidget(button, place / 2, place % 2);  // more beside each other do not fit a narrow window
+        connect(button, &QPushButton::clicked, this, [this, options = reading.options] { Q_EMIT answered(options); });
+    }
     if (kind_ == Question::Kind::Interval) {
         addTyped(tr("0.001 s, or 1 kHz"), tr("Time between two rows"), tr("Take this time"));
         note_->setText(tr("Or choose the column that is the time above. The time is counted from the first row."));
@@ -87,10 +94,10 @@ void QuestionCard::ask(const Question& question, const QuestionRows& rows, const
         if (kind_ == Question::Kind::Unit) addTyped(tr("another unit"), tr("Unit"), tr("Take this unit"));
         note_->setText(tr("The file does not tell. What you choose is kept with the study."));
     }
-    for (QHBoxLayout* row : {answers_, typedRow_}) row->addStretch(1);
+    typedRow_->addStretch(1);
 }
 
-void QuestionCard::clear(QHBoxLayout* row) {
+void QuestionCard::clear(QLayout* row) {
     while (QLayoutItem* item = row->takeAt(0)) {
         if (item->widget() && item->widget() != typed_) item->widget()->deleteLater();
         delete item;
@@ -101,7 +108,8 @@ void QuestionCard::addTyped(const QString& example, const QString& name, const Q
     typed_->setPlaceholderText(example);
     typed_->setAccessibleName(name);
     typedRow_->addWidget(typed_);
-    take_ = addButton(take, typedRow_);
+    take_ = addButton(take);
+    typedRow_->addWidget(take_);
     take_->setEnabled(false);
     connect(take_, &QPushButton::clicked, this, &QuestionCard::takeTyped);
 }
@@ -136,9 +144,8 @@ void QuestionCard::fill(const Question& question, const QuestionRows& rows) {
     table_->setFixedHeight(columns->height() + table_->verticalHeader()->length() + 2);
 }
 
-QPushButton* QuestionCard::addButton(const QString& text, QHBoxLayout* row) {
+QPushButton* QuestionCard::addButton(const QString& text) {
     auto* button = new QPushButton(text, this);
-    row->addWidget(button);
     buttons_ << button;
     return button;
 }

@@ -5,7 +5,9 @@
 
 #include "core/measure/text/question_rows.hpp"
 
+class QGridLayout;
 class QHBoxLayout;
+class QLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -34,8 +36,8 @@ Q_SIGNALS:
 
 private:
     void fill(const Question& question, const QuestionRows& rows);
-    QPushButton* addButton(const QString& text, QHBoxLayout* row);
-    void clear(QHBoxLayout* row);
+    QPushButton* addButton(const QString& text);
+    void clear(QLayout* row);
     void addTyped(const QString& example, const QString& name, const QString& take);
     std::optional<ReadOptions> typed() const;
     void takeTyped();
@@ -46,7 +48,8 @@ private:
     QLabel *text_, *note_;
     QTableWidget* table_;
     QLineEdit* typed_;
-    QHBoxLayout *answers_, *typedRow_;
+    QGridLayout* answers_;
+    QHBoxLayout* typedRow_;
     QList<QPushButton*> buttons_;
     QPushButton* take_{};  // what is typed
 };

@@ -70,7 +70,7 @@ ReadFields::ReadFields(QWidget* parent) : QWidget(parent), grid_(new QGridLayout
                    "one to the next: 0.001 s or 1 kHz. Of a time without a unit the unit: ms"));
     timeZone_ = addLine(tr("Time zone"), QStringLiteral("Europe/Berlin"), tr("Of stamps that do not tell it"));
     encoding_ = addChoice(tr("Letters"), tr("How the bytes of the file are letters"));
-    for (const char* name : {"utf-8", "windows-1252", "iso-8859-1", "utf-16le", "utf-16be"})
+    for (const char* name : {"utf-8", "windows-1252", "iso-8859-1", "utf-16le", "utf-16be", "utf-32le", "utf-32be"})
         encoding_->addItem(QString(name), QString(name));
     more_->setCheckable(true);
     more_->setAutoRaise(true);

@@ -18,12 +18,14 @@ Outcome<Channels> findChannels73(const std::string& file) {
     return findChannels(file, check.opaque);
 }
 
+Diagnostic damaged(const std::string& file) {
+    return fileError(phrase("the file is damaged: it cannot be read as MATLAB 7.3"), file, 0, 0,
+                     phrase("copy it again from where it was recorded"));
+}
+
 Outcome<std::string> readApart(const std::function<std::string()>& work, const std::string& file,
                                const Progress& progress) {
-    return runApart(work, mostReadingTime(file),
-                    fileError(phrase("the file is damaged: it cannot be read as MATLAB 7.3"), file, 0, 0,
-                              phrase("copy it again from where it was recorded")),
-                    progress);
+    return runApart(work, {mostReadingTime(file), mostReadingMemory(file)}, damaged(file), progress);
 }
 
 }  // namespace
@@ -42,7 +44,10 @@ Outcome<std::vector<ChannelValues>> readPlacesApart(const std::string& file, con
     };
     const Outcome<std::string> bytes = readApart(work, file, progress);
     if (!bytes) return bytes.diagnostics();
-    return decodedValues(*bytes);
+    Outcome<std::vector<ChannelValues>> values = decodedValues(*bytes);
+    for (std::size_t i = 0; values && i < places.size(); ++i)
+        if (values->size() != places.size() || (*values)[i].numbers.size() != places[i].count) return damaged(file);
+    return values;
 }
 
 }  // namespace analogon::mat

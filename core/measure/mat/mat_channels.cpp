@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <map>
 
@@ -73,14 +74,27 @@ private:
         return values.size() > 1 && std::is_sorted(values.begin(), values.end()) && values.front() < values.back();
     }
 
+    /// "t1", "t_fast": a time where its steps are even; a temperature may be called so.
+    static bool isOneOfTimes(const std::string& name) {
+        if (name.size() < 2 || name.front() != 't') return false;
+        return name[1] == '_' || std::all_of(name.begin() + 1, name.end(), [](char c) { return c >= '0' && c <= '9'; });
+    }
+    static bool isEven(const std::vector<double>& values) {
+        if (values.size() < 3) return false;
+        const double step = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
+        for (std::size_t i = 1; i < values.size(); ++i)
+            if (!(std::abs(values[i] - values[i - 1] - step) <= 0.01 * step)) return false;
+        return step > 0;
+    }
+
     void add(const matvar_t& variable, const std::string& container, std::string name, const std::string& path,
              VariablePlace place, const std::string& unit = {}, const std::string& comment = {}) {
         Signal signal{container, std::move(name), path, unit, comment, std::move(place), false, false};
         signal.isInteger = variable.class_type != MAT_C_DOUBLE && variable.class_type != MAT_C_SINGLE;
-        if (namesTime(signal.name)) {
+        if (namesTime(signal.name) || isOneOfTimes(signal.name)) {
             const std::vector<double> values =
                 numbers(variable, signal.place.first, signal.place.stride, signal.place.count);
-            signal.isTime = rises(values);
+            signal.isTime = namesTime(signal.name) ? rises(values) : isEven(values);
             if (signal.isTime && signal.unit.empty()) signal.unit = takenTimeUnit(signal.path, values, found_.notes);
         }
         signals_.push_back(std::move(signal));
@@ -184,18 +198,45 @@ private:
         return true;
     }
 
+    static std::string labelOf(const matvar_t& signals, std::size_t index) {
+        const matvar_t* label = fieldOf(signals, "label", index);
+        const std::vector<std::string> rows = label ? textRows(*label) : std::vector<std::string>();
+        return rows.empty() || rows.front().empty() ? fmt::format("signals({})", index + 1) : rows.front();
+    }
+
+    /// A vector or a matrix at each moment, one behind the other.
+    void stacked(const matvar_t& values, const matvar_t& signals, const std::string& path, const VariablePlace& place,
+                 std::size_t index) {
+        const std::size_t rows = values.dims[0], columns = values.dims[1], each = rows * columns;
+        const std::string name = labelOf(signals, index);
+        VariablePlace inner = place;
+        inner.steps.push_back({"values", index});
+        inner.count = values.dims[2];
+        inner.stride = each;
+        for (std::size_t k = 0; k < each && k < 4096; ++k) {
+            inner.first = k;
+            const bool isVector = rows == 1 || columns == 1;
+            add(values, path,
+                each == 1  ? name
+                : isVector ? fmt::format("{}({})", name, k + 1)
+                           : fmt::format("{}({},{})", name, k % rows + 1, k / rows + 1),
+                path, inner);
+        }
+    }
+
     /// Simulink's structure with time: the label names the values, whose columns are channels.
     void scope(const matvar_t& signals, const std::string& path, const VariablePlace& place) {
         for (std::size_t i = 0; i < valuesOf(signals) && i < 4096; ++i) {
             const matvar_t* values = fieldOf(signals, "values", i);
+            if (values && isNumeric(*values) && !values->isComplex && values->rank == 3) {
+                stacked(*values, signals, path, place, i);
+                continue;
+            }
             if (!values || !isNumeric(*values) || values->isComplex || values->rank != 2) {
                 others_.push_back(fmt::format("{}.signals({})", path, i + 1));
                 continue;
             }
-            const matvar_t* label = fieldOf(signals, "label", i);
-            const std::vector<std::string> rows = label ? textRows(*label) : std::vector<std::string>();
-            const std::string name =
-                rows.empty() || rows.front().empty() ? fmt::format("signals({})", i + 1) : rows.front();
+            const std::string name = labelOf(signals, i);
             VariablePlace inner = place;
             inner.steps.push_back({"values", i});
             const bool byRows = values->dims[0] < values->dims[1];
@@ -223,11 +264,27 @@ private:
                                       object.className, lines));
     }
 
+    /// What stands behind the letters in front: "_fast" of "t_fast", "1" of "U1".
+    static std::string endOf(const std::string& name) {
+        const std::size_t at = std::min(name.find_first_of("_0123456789"), name.size());
+        return name.substr(at);
+    }
+
+    /// Of several times in a place with as many values, the one whose name ends as that of the signal, else the first.
+    const Signal* nearestOf(const Signal& signal, const std::string& container) const {
+        const Signal* first = nullptr;
+        for (const Signal& time : signals_) {
+            if (!time.isTime || time.container != container || time.place.count != signal.place.count) continue;
+            if (endOf(time.name) == endOf(signal.name)) return &time;
+            if (!first) first = &time;
+        }
+        return first;
+    }
+
     /// The time of a signal: of its own structure, of a structure around it, or a variable, with as many values.
     const Signal* timeOf(const Signal& signal) const {
         for (std::string container = signal.container;;) {
-            for (const Signal& time : signals_)
-                if (time.isTime && time.container == container && time.place.count == signal.place.count) return &time;
+            if (const Signal* time = nearestOf(signal, container)) return time;
             if (container.empty()) return nullptr;
             const std::size_t dot = container.rfind('.');
             container = dot == std::string::npos ? "" : container.substr(0, dot);
@@ -271,10 +328,23 @@ private:
                 phrase("group \"{}\" has no time: its samples can only be counted", found_.groups.back().name));
             return;
         }
+        tellOtherTimes(signal, *time);
         found_.groups.back().master = MasterKind::Time;
         found_.groups.back().masterChannel = 0;
         put(found_.groups.size() - 1, *time, time->path);
         if (found_.groups.back().channels[0].unit.empty()) found_.groups.back().channels[0].unit = "s";
+    }
+
+    /// Which of several times belongs to a signal nothing may tell.
+    void tellOtherTimes(const Signal& signal, const Signal& time) {
+        if (&signal == &time || endOf(signal.name) == endOf(time.name)) return;
+        for (const Signal& other : signals_)
+            if (&other != &time && other.isTime && other.container == time.container &&
+                other.place.count == time.place.count && timeOf(other) == &other) {
+                found_.notes.push_back(phrase("\"{}\" is taken for the time of \"{}\"; \"{}\" has as many values",
+                                              time.path, signal.path, other.path));
+                return;
+            }
     }
 
     void put(std::size_t group, const Signal& signal, const std::string& name) {

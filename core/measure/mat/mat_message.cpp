@@ -24,10 +24,10 @@ Json toJson(const Text& text) {
 }
 
 Text textFrom(const Json& json) {
-    if (json[3].get<bool>()) return Text::number(textOf(json[0]));
+    if (json.at(3).get<bool>()) return Text::number(textOf(json.at(0)));
     std::vector<Text> arguments;
-    for (const Json& argument : json[2]) arguments.push_back(textFrom(argument));
-    return Text(textOf(json[1]), std::move(arguments), textOf(json[0]));
+    for (const Json& argument : json.at(2)) arguments.push_back(textFrom(argument));
+    return Text(textOf(json.at(1)), std::move(arguments), textOf(json.at(0)));
 }
 
 Json toJson(const Diagnostics& diagnostics) {
@@ -54,8 +54,8 @@ Json toJson(const VariablePlace& place) {
 }
 
 VariablePlace placeFrom(const Json& json) {
-    VariablePlace place{textOf(json[0]), {}, json[2], json[3], json[4], json[5], json[6]};
-    for (const Json& step : json[1]) place.steps.push_back({textOf(step[0]), step[1]});
+    VariablePlace place{textOf(json.at(0)), {}, json.at(2), json.at(3), json.at(4), json.at(5), json.at(6)};
+    for (const Json& step : json.at(1)) place.steps.push_back({textOf(step.at(0)), step.at(1)});
     return place;
 }
 
@@ -70,13 +70,18 @@ Json toJson(const RecordedGroup& group) {
 
 RecordedGroup groupFrom(const Json& json) {
     RecordedGroup group;
-    group.name = textOf(json[0]);
-    group.master = static_cast<MasterKind>(json[1].get<int>());
-    if (!json[2].is_null()) group.masterChannel = json[2].get<std::size_t>();
-    group.samples = json[3];
-    for (const Json& c : json[4])
-        group.channels.push_back(
-            {textOf(c[0]), textOf(c[1]), textOf(c[2]), {}, ChannelKind::Number, c[3].get<std::size_t>(), c[4]});
+    group.name = textOf(json.at(0));
+    group.master = static_cast<MasterKind>(json.at(1).get<int>());
+    if (!json.at(2).is_null()) group.masterChannel = json.at(2).get<std::size_t>();
+    group.samples = json.at(3);
+    for (const Json& c : json.at(4))
+        group.channels.push_back({textOf(c.at(0)),
+                                  textOf(c.at(1)),
+                                  textOf(c.at(2)),
+                                  {},
+                                  ChannelKind::Number,
+                                  c.at(3).get<std::size_t>(),
+                                  c.at(4)});
     return group;
 }
 
@@ -131,35 +136,65 @@ std::string encoded(const Outcome<std::vector<ChannelValues>>& values) {
     return bytes;
 }
 
-Outcome<Channels> decodedChannels(const std::string& bytes) {
+namespace {
+
+/// `decode` of the head, where all of it is as it was written: the process that wrote it may have been damaged.
+template <class Decode>
+auto decoded(const std::string& bytes, const Decode& decode) -> decltype(decode(Json(), std::size_t{})) {
     std::size_t at = 0;
-    const Json head = headOf(bytes, at);
-    if (!head.is_object()) return notWhole();
-    if (!head.contains("groups")) return diagnosticsFrom(head["diagnostics"]);
-    Channels channels;
-    for (const Json& group : head["groups"]) channels.groups.push_back(groupFrom(group));
-    for (const Json& note : head["notes"]) channels.notes.push_back(textFrom(note));
-    for (const Json& group : head["places"]) {
-        channels.places.emplace_back();
-        for (const Json& place : group) channels.places.back().push_back(placeFrom(place));
+    try {
+        const Json head = headOf(bytes, at);
+        if (head.is_object()) return decode(head, at);
+    } catch (const Json::exception&) {
     }
-    return {std::move(channels), diagnosticsFrom(head["diagnostics"])};
+    return notWhole();
+}
+
+bool isSound(const Channels& channels) {
+    if (channels.places.size() != channels.groups.size()) return false;
+    for (std::size_t g = 0; g < channels.groups.size(); ++g) {
+        const RecordedGroup& group = channels.groups[g];
+        const bool isKind = group.master >= MasterKind::Time && group.master <= MasterKind::None;
+        if (!isKind || channels.places[g].size() != group.channels.size()) return false;
+        for (std::size_t c = 0; c < group.channels.size(); ++c)
+            if (group.channels[c].samples != channels.places[g][c].count) return false;
+        if (group.masterChannel && *group.masterChannel >= group.channels.size()) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+Outcome<Channels> decodedChannels(const std::string& bytes) {
+    return decoded(bytes, [](const Json& head, std::size_t) -> Outcome<Channels> {
+        Diagnostics told = diagnosticsFrom(head.at("diagnostics"));
+        if (!head.contains("groups")) return hasError(told) ? told : Diagnostics{notWhole()};
+        Channels channels;
+        for (const Json& group : head.at("groups")) channels.groups.push_back(groupFrom(group));
+        for (const Json& note : head.at("notes")) channels.notes.push_back(textFrom(note));
+        for (const Json& group : head.at("places")) {
+            channels.places.emplace_back();
+            for (const Json& place : group) channels.places.back().push_back(placeFrom(place));
+        }
+        if (!isSound(channels)) return notWhole();
+        return {std::move(channels), std::move(told)};
+    });
 }
 
 Outcome<std::vector<ChannelValues>> decodedValues(const std::string& bytes) {
-    std::size_t at = 0;
-    const Json head = headOf(bytes, at);
-    if (!head.is_object()) return notWhole();
-    if (!head.contains("counts")) return diagnosticsFrom(head["diagnostics"]);
-    std::vector<ChannelValues> values;
-    for (const Json& count : head["counts"]) {
-        const auto numbers = count.get<std::size_t>();
-        if (numbers > (bytes.size() - at) / sizeof(double)) return notWhole();
-        values.push_back({std::vector<double>(numbers), {}});
-        std::memcpy(values.back().numbers.data(), bytes.data() + at, numbers * sizeof(double));
-        at += numbers * sizeof(double);
-    }
-    return {std::move(values), diagnosticsFrom(head["diagnostics"])};
+    return decoded(bytes, [&](const Json& head, std::size_t at) -> Outcome<std::vector<ChannelValues>> {
+        Diagnostics told = diagnosticsFrom(head.at("diagnostics"));
+        if (!head.contains("counts")) return hasError(told) ? told : Diagnostics{notWhole()};
+        std::vector<ChannelValues> values;
+        for (const Json& count : head.at("counts")) {
+            const auto numbers = count.get<std::size_t>();
+            if (numbers > (bytes.size() - at) / sizeof(double)) return notWhole();
+            values.push_back({std::vector<double>(numbers), {}});
+            std::memcpy(values.back().numbers.data(), bytes.data() + at, numbers * sizeof(double));
+            at += numbers * sizeof(double);
+        }
+        return {std::move(values), std::move(told)};
+    });
 }
 
 }  // namespace analogon::mat

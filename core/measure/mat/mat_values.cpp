@@ -78,10 +78,10 @@ std::vector<std::string> textRows(const matvar_t& variable) {
         if (isUtf8Text) {
             text.assign(bytes, there);
         } else {
-            std::string wide = size == 1 ? std::string() : std::string("\xFF\xFE");
+            std::string wide;
             for (std::size_t column = 0; column < width; ++column)
                 wide.append(bytes + (column * height + row) * size, std::min<std::size_t>(size, 2));
-            text = size == 1 ? wide : decodeText(wide);
+            text = size == 1 ? wide : decodeText(wide, Encoding::Utf16LittleEndian);
         }
         text = inUtf8(text);
         text = text.substr(0, text.find('\0'));

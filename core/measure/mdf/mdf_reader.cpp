@@ -92,18 +92,15 @@ private:
                       const Progress& progress) const {
         const DataGroup& data = file_.dataGroups[group.dataGroup];
         for (Column& column : columns) prepare(group, column, remarks);
-        std::uint64_t textBytes = 0, seen = 0;
+        std::uint64_t textBytes = 0;
+        WayThrough way(*file_.memory);
         const WalkResult walk = walkRecords(
             data, group, group.samples,
             [&](const RecordRun& run) {
                 for (Column& column : columns) take(group, data, run, column, textBytes);
-                seen += run.count * run.stride;
-                if (seen < MappedFile::letGoBytes) return;
-                file_.memory->letGo();
-                seen = 0;
+                way.pass(run.count * run.stride);
             },
             progress);
-        file_.memory->letGo();
         if (walk.wasStopped) return false;
         if (data.hasInvalidationApart) invalidateApart(group, data, columns, progress);
         if (walk.lost > 0)

@@ -126,10 +126,10 @@ std::string hexadecimal(ByteView value) {
     return out;
 }
 
-std::string terminated16(ByteView value, std::string_view byteOrderMark) {
+std::string terminated16(ByteView value, Encoding encoding) {
     std::size_t length = 0;
     while (length + 1 < value.size() && (value.data()[length] != 0 || value.data()[length + 1] != 0)) length += 2;
-    return decodeText(std::string(byteOrderMark) + std::string(value.part(0, length).text()));
+    return decodeText(value.part(0, length).text(), encoding);
 }
 
 /// Milliseconds of the minute, minute, hour, day, month, year of the century.
@@ -195,9 +195,9 @@ std::string textOf(ValueLayout::Type type, ByteView value) {
         case ValueLayout::Type::Windows1252:
             return windows1252ToUtf8(value.terminatedText());
         case ValueLayout::Type::Utf16Little:
-            return terminated16(value, "\xFF\xFE");
+            return terminated16(value, Encoding::Utf16LittleEndian);
         case ValueLayout::Type::Utf16Big:
-            return terminated16(value, "\xFE\xFF");
+            return terminated16(value, Encoding::Utf16BigEndian);
         case ValueLayout::Type::CanOpenDate:
             return canOpenDate(value);
         case ValueLayout::Type::CanOpenTime:

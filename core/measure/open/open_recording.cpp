@@ -18,7 +18,7 @@ namespace analogon {
 
 namespace {
 
-/// Text has no zeros, unless it is UTF-16, but those of a file that was made larger than what was written.
+/// Text has no zeros, unless it is UTF-16 or UTF-32, but those of a file that was made larger than what was written.
 bool isText(ByteView bytes) {
     const std::string_view head = bytes.part(0, 4096).text();
     if (isWideText(head)) return true;

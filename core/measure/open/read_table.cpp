@@ -112,7 +112,10 @@ Diagnostic needless(const std::filesystem::path& file, const std::string& format
                                file.string()));
 }
 
-bool isReadAsText(bool isText, const ReadOptions& options) { return isText || options.encoding.starts_with("utf-16"); }
+/// Wide text that was told has zeros, and may be of no kind that is known.
+bool isReadAsText(bool isText, const ReadOptions& options) {
+    return isText || options.encoding.starts_with("utf-16") || options.encoding.starts_with("utf-32");
+}
 
 /// What the ending of a file's name says beside that.
 ReadOptions withEnding(const std::filesystem::path& file, ReadOptions options) {

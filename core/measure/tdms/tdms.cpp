@@ -23,6 +23,7 @@ constexpr std::uint64_t textLimit = std::uint64_t{1} << 28;
 struct Source {
     std::size_t object{};
     bool isWaveformTime{};
+    bool isClock{};  // stamps, as seconds since the first one
     double start{}, step{};
     std::uint64_t samples{};
 };
@@ -62,6 +63,29 @@ void extractPiece(const Piece& piece, const std::uint8_t* from, double* out) {
     }
 }
 
+/// A channel of stamps that is called a time.
+bool isTimeOfDay(const Object& object) {
+    return object.type == Timestamp && namesTime(object.channel) && object.values() > 1;
+}
+
+/// The difference is taken in whole numbers: the seconds since 1904 leave few digits for their decimals.
+std::vector<double> secondsSinceFirst(const Object& object) {
+    std::vector<double> seconds;
+    std::optional<TimePoint> first;
+    for (const Piece& piece : object.pieces)
+        for (std::uint64_t chunk = 0; chunk < piece.repeats; ++chunk)
+            for (std::uint64_t i = 0; i < piece.count; ++i) {
+                const std::uint64_t at = chunk * piece.repeatStride + i * piece.stride;
+                const TimePoint time = timePointAt(piece.bytes, at, piece.isBigEndian);
+                if (!first) first = time;
+                constexpr double whole = 18446744073709551616.0;  // 2^64
+                const double part = static_cast<double>(time.fraction) - static_cast<double>(first->fraction);
+                seconds.push_back(static_cast<double>(time.seconds) - static_cast<double>(first->seconds) +
+                                  part / whole);
+            }
+    return seconds;
+}
+
 class TdmsReader final : public RecordingReader {
 public:
     TdmsReader(std::shared_ptr<const MappedFile> memory, File file, std::vector<std::vector<Source>> sources,
@@ -89,21 +113,22 @@ private:
             return values;
         }
         const Object& object = file_.objects[source.object];
+        if (source.isClock) {
+            values.numbers = secondsSinceFirst(object);
+            return values;
+        }
         if (object.type == String || object.type == Timestamp) {
             readTexts(object, values.texts);
             return values;
         }
         values.numbers.resize(object.values());
         double* out = values.numbers.data();
-        std::size_t seen = 0;
+        WayThrough way(*memory_);
         for (const Piece& piece : object.pieces)
             for (std::uint64_t i = 0; i < piece.repeats; ++i, out += piece.count) {
                 extractPiece(piece, piece.bytes.data() + i * piece.repeatStride, out);
-                if ((seen += piece.repeatStride) < MappedFile::letGoBytes) continue;
-                memory_->letGo();
-                seen = 0;
+                way.pass(piece.repeatStride);
             }
-        memory_->letGo();
         const auto isLarge = [](double x) { return std::abs(x) > 9007199254740992.0; };  // 2^53
         if ((object.type == Int64 || object.type == Uint64) &&
             std::any_of(values.numbers.begin(), values.numbers.end(), isLarge)) {
@@ -206,13 +231,21 @@ private:
         channel.samples = samples;
         channel.isInteger = object.type >= Int8 && object.type <= Uint64 && Scaling(object).isNone();
         if (object.type == String || object.type == Timestamp) channel.kind = ChannelKind::Text;
-        if (const Scaling scaling(object); !scaling.unreadable().empty())
+        if (isTimeOfDay(object)) {
+            channel.kind = ChannelKind::Number;
+            channel.unit = "s";
+            const Piece& first = object.pieces.front();
+            if (recording_.start.empty()) recording_.start = isoText(timePointAt(first.bytes, 0, first.isBigEndian));
+        }
+        if (const Scaling scaling(object); !scaling.unreadable().empty()) {
+            channel.unit.clear();  // of what the conversion would give
             recording_.notes.push_back(
                 phrase("channel \"{}\": its conversion \"{}\" cannot be read, its values are those of the record",
                        channel.name, scaling.unreadable()));
+        }
         if (samples == 0) recording_.notes.push_back(phrase("channel \"{}\" has no samples", channel.name));
         recording_.groups[group].channels.push_back(std::move(channel));
-        sources_[group].push_back({index, false, 0, 0, samples});
+        sources_[group].push_back({index, false, isTimeOfDay(object), 0, 0, samples});
     }
 
     /// Channels with a step share a group with their like; the others with those of the same length, or an empty one.
@@ -232,7 +265,7 @@ private:
             group.master = MasterKind::Time;
             group.masterChannel = 0;
             group.channels.push_back({"time", "s", {}, {}, ChannelKind::Number, samples});
-            sources_.back().push_back({0, true, start, step, samples});
+            sources_.back().push_back({0, true, false, start, step, samples});
         }
         recording_.groups.push_back(std::move(group));
         return keys_.size() - 1;

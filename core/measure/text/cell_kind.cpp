@@ -1,9 +1,7 @@
 #include "core/measure/text/cell_kind.hpp"
 
-#include <algorithm>
-#include <array>
-
 #include "core/base/unit.hpp"
+#include "core/base/usual_unit.hpp"
 #include "core/measure/csv_dialect.hpp"
 #include "core/measure/text/stamp.hpp"
 
@@ -11,13 +9,15 @@ namespace analogon {
 
 namespace {
 
+bool isPrefix(std::string_view unit) {
+    return unit.size() == 1 && std::string_view("munpkMGT").find(unit) != std::string_view::npos;
+}
+
 bool isWrittenAsQuantity(std::string_view number, std::string_view behind, std::string_view unit) {
     if (behind.front() == ' ' || behind.starts_with("\xC2\xA0") || unit.front() == '%' || unit.starts_with("\xC2\xB0"))
         return true;
-    constexpr std::array<std::string_view, 30> usual{
-        "V",  "A",   "W",   "N",  "K",   "s",   "mV", "kV", "mA", "kW", "mW",  "Hz",  "kHz",  "MHz",  "kN",
-        "Nm", "rpm", "bar", "Pa", "kPa", "hPa", "mm", "ms", "us", "kg", "Ohm", "psi", "mbar", "kOhm", "degC"};
-    if (std::find(usual.begin(), usual.end(), unit) == usual.end()) return false;
+    // a letter that is a prefix as well ("1.5m") may stand for a part of a unit that is not written
+    if (!isUsualUnit(unit) || isPrefix(unit)) return false;
     const std::size_t mark = number.find_first_of(".,");
     const bool hasDecimals = mark != std::string_view::npos && mark + 1 < number.size();
     return hasDecimals || unit.size() > 1;

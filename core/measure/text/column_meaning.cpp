@@ -13,11 +13,6 @@ namespace analogon {
 
 namespace {
 
-bool namesUnit(const std::string& name) {
-    const std::string key = plainKey(name);
-    return key == "unit" || key == "units" || key == "einheit" || key == "einheiten";
-}
-
 /// The column to the left that has no unit of its own.
 std::optional<std::size_t> columnOf(const RawTable& raw, std::size_t units) {
     for (std::size_t i = units; i-- > 0;) {
@@ -92,10 +87,17 @@ const Switch* switchOf(const WordSeries& words) {
 
 }  // namespace
 
+bool namesUnits(const std::string& name) {
+    const std::string key = plainKey(name);
+    for (const std::string_view word : {"unit", "units", "einheit", "einheiten"})
+        if (key == word || key.ends_with(' ' + std::string(word))) return true;
+    return false;
+}
+
 Diagnostics applyUnitColumns(RawTable& raw) {
     Diagnostics told;
     for (std::size_t i = 0; i < raw.kinds.size(); ++i) {
-        if (raw.kinds[i] != CellKind::Words || !namesUnit(raw.table.columns[i].name)) continue;
+        if (raw.kinds[i] != CellKind::Words || !namesUnits(raw.table.columns[i].name)) continue;
         const std::optional<std::size_t> column = columnOf(raw, i);
         if (!column) continue;
         Diagnostics found = applyUnits(raw, i, *column);

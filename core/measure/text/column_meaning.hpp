@@ -10,6 +10,9 @@ namespace analogon {
 /// A column of units beside one of numbers ("mV", "V"): the numbers are converted to the largest of them, row by row.
 Diagnostics applyUnitColumns(RawTable& raw);
 
+/// "Unit", "CH1 Unit", "Einheit": a column of units.
+bool namesUnits(const std::string& name);
+
 /// Words that stand for on and off become 1 and 0; by column, what 0 and 1 are called. Empty: no such column.
 std::vector<std::vector<StatusText>> readSwitches(RawTable& raw);
 

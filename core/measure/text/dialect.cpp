@@ -169,6 +169,36 @@ void lookBefore(SampledRows& sample, const std::vector<std::pair<std::size_t, st
     }
 }
 
+/// "0s, 1s, 2s": a number with a letter behind it is a quantity where a whole column has that letter and other numbers.
+void tellQuantities(std::vector<SampleRow>& rows) {
+    constexpr std::size_t fewest = 3;
+    struct Found {
+        std::set<std::string, std::less<>> units, numbers;
+        std::size_t quantities{}, others{};
+    };
+    std::vector<Found> columns;
+    for (const SampleRow& row : rows) {
+        if (columns.size() < row.cells.size()) columns.resize(row.cells.size());
+        for (std::size_t i = 0; i < row.cells.size(); ++i) {
+            if (row.kinds[i] != CellKind::Words && row.kinds[i] != CellKind::Quantity) continue;
+            const auto quantity = readQuantity(row.cells[i].text, true);
+            (quantity ? columns[i].quantities : columns[i].others) += 1;
+            if (!quantity) continue;
+            columns[i].units.emplace(quantity->unit);
+            if (columns[i].numbers.size() < fewest) columns[i].numbers.emplace(quantity->number);
+        }
+    }
+    for (SampleRow& row : rows)
+        for (std::size_t i = 0; i < row.cells.size(); ++i) {
+            const Found& found = columns[i];
+            // "200m" may be a part of a unit that is not written
+            const bool isOne = found.units.size() == 1 && !found.units.contains("m") && found.numbers.size() >= fewest;
+            if (row.kinds[i] == CellKind::Words && isOne && found.quantities > found.others &&
+                readQuantity(row.cells[i].text, true))
+                row.kinds[i] = CellKind::Quantity;
+        }
+}
+
 void findBlock(SampledRows& sample) {
     const std::vector<SampleRow>& rows = sample.rows;
     std::vector<std::pair<std::size_t, std::size_t>> blocks;
@@ -207,6 +237,7 @@ SampledRows sampleBy(const TextHead& head, char separator) {
         else
             sample.rows.push_back(sampleRowOf(line, separator));
     }
+    tellQuantities(sample.rows);
     findBlock(sample);
     return sample;
 }

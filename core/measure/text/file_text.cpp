@@ -60,7 +60,7 @@ bool FileText::findExtent(const std::string& encoding) {
     encoding_ = encoding.empty() ? encodingOf(part_) : encodingNamed(encoding).value_or(Encoding::AsIs);
     if (encoding_ == Encoding::Found) encoding_ = encodingOf(part_);
     begin_ = next_ = markLength(part_, encoding_);
-    const bool isWide = encoding_ == Encoding::Utf16LittleEndian || encoding_ == Encoding::Utf16BigEndian;
+    const bool isWide = unitBytes(encoding_) > 1;
     for (std::uint64_t end = end_; !isWide && end > begin_;) {  // of a file that was larger than what was written
         const std::uint64_t from = std::max(begin_, end > partBytes ? end - partBytes : 0);
         if (!readPart(from, static_cast<std::size_t>(end - from), part_)) return false;
@@ -95,11 +95,11 @@ bool FileText::reserve() {
     return true;
 }
 
-/// Without the first half of a letter whose second half is in the next part.
+/// Without the front of a letter whose end is in the next part.
 std::string_view FileText::wholeLetters(std::string_view bytes) const {
-    if (encoding_ != Encoding::Utf16LittleEndian && encoding_ != Encoding::Utf16BigEndian) return bytes;
-    bytes = bytes.substr(0, bytes.size() & ~std::size_t{1});
-    if (bytes.size() < 4) return bytes;
+    const std::size_t unit = unitBytes(encoding_);
+    bytes = bytes.substr(0, bytes.size() / unit * unit);
+    if (unit != 2 || bytes.size() < 4) return bytes;
     const auto high =
         static_cast<unsigned char>(bytes[bytes.size() - (encoding_ == Encoding::Utf16LittleEndian ? 1 : 2)]);
     const bool isHalf = high >= 0xD8 && high < 0xDC;

@@ -209,6 +209,11 @@ std::vector<SampleRow> rowsAbove(const SampledRows& sample, HeaderRows& header) 
         }
         if (rows.empty()) {
             if (row.filled == 1 && width > 1) break;  // a title
+            const auto pair = row.filled == 1 ? keyAndValue(row.cells[0].text) : std::nullopt;
+            if (pair && isFactKey(pair->first)) {  // "Rate: 10 Hz" above one column
+                header.keys.push_back(row);
+                continue;
+            }
         } else {
             const bool fits = row.filled > 1 && row.filled <= std::max(rows.back().cells.size(), width) + 2 &&
                               row.filled + 1 >= width;
@@ -276,6 +281,21 @@ HeaderRows findHeader(const SampledRows& sample, const ReadOptions& options) {
     rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(names));
     header.descriptions = std::move(rows);
     return header;
+}
+
+bool areChannelsInRows(const SampledRows& sample) {
+    constexpr std::size_t most = 64;
+    const std::size_t rows = sample.end - sample.begin;
+    if (sample.begin != 0 || rows < 2 || rows > most || sample.end != sample.rows.size()) return false;
+    bool hasTime = false;
+    for (const SampleRow& row : sample.rows) {
+        const ColumnHeader name = row.cells.empty() ? ColumnHeader{} : readColumnHeader(row.cells[0].text);
+        const auto isNumber = [](CellKind kind) { return kind == CellKind::Number; };
+        const bool isLong = row.cells.size() > rows + 1 && row.kinds[0] == CellKind::Words;
+        if (!isLong || !std::all_of(row.kinds.begin() + 1, row.kinds.end(), isNumber)) return false;
+        hasTime = hasTime || (namesTime(name.name) && (name.unit.empty() || areConvertible(name.unit, "s")));
+    }
+    return hasTime;
 }
 
 }  // namespace analogon

@@ -19,4 +19,8 @@ struct HeaderRows {
 
 HeaderRows findHeader(const SampledRows& sample, const ReadOptions& options);
 
+/// Whether the channels stand in rows and not in columns: names with units in front of each of a few long rows of
+/// numbers, and no header.
+bool areChannelsInRows(const SampledRows& sample);
+
 }  // namespace analogon

@@ -36,12 +36,17 @@ bool namesNoUnit(std::string_view word) {
 
 class LayoutFinder {
 public:
-    LayoutFinder(TextView text, const std::string& file, const ReadOptions& options, Questions& asked)
-        : text_(text), file_(file), options_(options), asked_(asked) {}
+    LayoutFinder(TextView text, const std::string& file, const ReadOptions& options, Questions& asked,
+                 const UnframedText* unframed)
+        : text_(text), file_(file), options_(options), asked_(asked), unframed_(unframed) {}
 
     Outcome<Layout> find() {
         if (Diagnostics faults = sample(); !faults.empty()) return faults;
+        if (areChannelsInRows(rows_))
+            return fileError(phrase("the channels of this table stand in rows"), file_, 1, 0,
+                             phrase("Turn it round, so that each channel is a column with its name on top."));
         header_ = findHeader(rows_, options_);
+        dropKeyOfNames();
         if (Diagnostics faults = checkHeader(); !faults.empty()) return faults;
         layout_.separator = rows_.separator;
         const Outcome<NumberMarks> marks = numberMarks(rows_, options_, file_, asked_);
@@ -122,6 +127,24 @@ private:
                                   file_, names.line.number, cell.position,
                                   phrase("Check the mark between the columns."))};
         return {};
+    }
+
+    /// "TraceName,CH1,CH2" over rows of two numbers with a mark behind the last one: the word in front is a key, as
+    /// those of the rows beside it are.
+    void dropKeyOfNames() {
+        const auto isLonger = [this](const SampleRow& row) { return row.filled == width() + 1; };
+        if (!header_.names || !isLonger(*header_.names) || !isKeyOfNames(header_.names->cells.front().text) ||
+            std::none_of(header_.keys.begin(), header_.keys.end(), isLonger))
+            return;
+        const auto drop = [](SampleRow& row) {
+            row.cells.erase(row.cells.begin());
+            row.kinds.erase(row.kinds.begin());
+            --row.filled;
+        };
+        drop(*header_.names);
+        if (header_.units && isLonger(*header_.units)) drop(*header_.units);
+        for (SampleRow& row : header_.descriptions)
+            if (isLonger(row)) drop(row);
     }
 
     std::size_t width() const { return std::max<std::size_t>(widest(rows_), 1); }
@@ -236,6 +259,8 @@ private:
         const int data = rows_.begin < rows_.rows.size() ? rows_.rows[rows_.begin].line.number : 0;
         for (const TextLine& comment : rows_.comments)
             if (comment.number < data) reader.addComment(comment.text);
+        if (unframed_)
+            for (const std::string& pair : unframed_->pairs) reader.add(sampleRowOf({pair, 0}, unframed_->separator));
         for (const auto& [key, value] : header_.facts) reader.addPair(key.text, value.text);
         layout_.facts = reader.facts();
         if (!header_.names) takeNamesOfPreamble();
@@ -331,11 +356,37 @@ private:
             const auto numbers = counts[static_cast<std::size_t>(CellKind::Number)];
             if (layout_.columns[i].kind == CellKind::Words && numbers > 0 && 3 * numbers >= *most)
                 layout_.columns[i].kind = CellKind::Number;
-            if (!options_.timeFormat.empty() && isOfFormat(i)) layout_.columns[i].kind = CellKind::Stamp;
+            if (!options_.timeFormat.empty() && isOfFormat(i)) takeForStamps(i);
         }
         std::size_t times = 0;
         for (const LayoutColumn& column : layout_.columns) times += namesTime(column.name);
-        layout_.arePadded = times > 1 && layout_.columns.size() > 2;
+        layout_.arePadded = (times > 1 && layout_.columns.size() > 2) || mostEndEarly();
+    }
+
+    /// Rows in which the last cells are not written, but in a few.
+    bool mostEndEarly() const {
+        const std::size_t all = layout_.columns.size();
+        std::size_t whole = 0, early = 0, cells = 0;
+        for (std::size_t r = rows_.begin; r < rows_.end; ++r) {
+            const std::size_t count = rows_.rows[r].cells.size();
+            whole += count == all;
+            if (count >= all) continue;
+            if (early++ > 0 && count != cells) return false;
+            cells = count;
+        }
+        return whole > 0 && early >= 3 && early > 4 * whole && cells > 1;
+    }
+
+    /// Numbers are stamps of a format without marks ("%H%M%S") only where they are called a time, or in one column.
+    void takeForStamps(std::size_t column) {
+        const std::string& format = options_.timeFormat;
+        const bool isBare = format.find_first_of(":/.-, T") == std::string::npos;
+        const auto isTime = [](const LayoutColumn& c) { return namesTime(c.name); };
+        const auto first = std::find_if(layout_.columns.begin(), layout_.columns.end(), isTime);
+        LayoutColumn& told = layout_.columns[column];
+        const bool isOther = isBare && told.kind == CellKind::Number && first != layout_.columns.end() &&
+                             first != layout_.columns.begin() + static_cast<std::ptrdiff_t>(column);
+        if (!isOther) told.kind = CellKind::Stamp;
     }
 
     bool isOfFormat(std::size_t column) const {
@@ -364,6 +415,7 @@ private:
     const std::string& file_;
     const ReadOptions& options_;
     Questions& asked_;
+    const UnframedText* unframed_;
     SampledRows rows_;
     HeaderRows header_;
     Layout layout_;
@@ -377,8 +429,9 @@ Text nameOfMark(char mark) {
 
 }  // namespace
 
-Outcome<Layout> findLayout(TextView text, const std::string& file, const ReadOptions& options, Questions& asked) {
-    return LayoutFinder(text, file, options, asked).find();
+Outcome<Layout> findLayout(TextView text, const std::string& file, const ReadOptions& options, Questions& asked,
+                           const UnframedText* unframed) {
+    return LayoutFinder(text, file, options, asked, unframed).find();
 }
 
 Text described(const Layout& layout) {

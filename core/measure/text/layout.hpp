@@ -8,6 +8,7 @@
 #include "core/measure/read_options.hpp"
 #include "core/measure/text/dialect.hpp"
 #include "core/measure/text/preamble.hpp"
+#include "core/measure/text/row_frame.hpp"
 
 namespace analogon {
 
@@ -34,7 +35,9 @@ struct Layout {
     Diagnostics warnings;
 };
 
-Outcome<Layout> findLayout(TextView text, const std::string& file, const ReadOptions& options, Questions& asked);
+/// `unframed`: what stood around the rows of the text; null: nothing.
+Outcome<Layout> findLayout(TextView text, const std::string& file, const ReadOptions& options, Questions& asked,
+                           const UnframedText* unframed = nullptr);
 
 /// What was found out, in one line.
 Text described(const Layout& layout);

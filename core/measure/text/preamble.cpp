@@ -58,10 +58,10 @@ constexpr std::array<std::string_view, 16> unitKeys{"vertical units", "vertical 
                                                     "y unit label",   "y unit",        "y units",       "yunit",
                                                     "vunit",          "v unit",        "symbolunit",    "symbol unit",
                                                     "einheit",        "einheiten",     "channel units", "channel unit"};
-constexpr std::array<std::string_view, 19> commentKeys{
-    "label",        "labels",      "comment",   "comments",   "description",  "descriptions",  "kommentar",
-    "beschreibung", "bezeichnung", "name",      "names",      "channel name", "channel names", "signal name",
-    "signal",       "trace name",  "tracename", "messstelle", "channel label"};
+constexpr std::array<std::string_view, 20> commentKeys{
+    "source",      "label",        "labels",      "comment",   "comments",   "description",  "descriptions",
+    "kommentar",   "beschreibung", "bezeichnung", "name",      "names",      "channel name", "channel names",
+    "signal name", "signal",       "trace name",  "tracename", "messstelle", "channel label"};
 constexpr std::array<std::string_view, 22> dateKeys{
     "date",           "datum",        "start date",   "test date",       "date time",
     "datetime",       "trigger time", "trigger date", "start time",      "startzeit",

@@ -138,8 +138,13 @@ void tellTexts(const TextGroup& group, Diagnostics& told) {
 
 }  // namespace
 
-std::vector<TextGroup> groupsOf(RawTable raw, const std::map<std::string, std::string>& comments,
-                                const ReadOptions& options, Diagnostics& told, Questions& asked) {
+namespace {
+
+void tellAll(Diagnostics& told, Diagnostics more) {
+    for (Diagnostic& each : more) told.push_back(std::move(each));
+}
+
+std::vector<TextGroup> cutGroups(RawTable raw, const std::optional<NamedRows>& named, Diagnostics& told) {
     std::vector<std::vector<StatusText>> statuses = readSwitches(raw);
     for (std::size_t i = 0; i < statuses.size(); ++i)
         if (!statuses[i].empty())
@@ -148,6 +153,12 @@ std::vector<TextGroup> groupsOf(RawTable raw, const std::map<std::string, std::s
                                  raw.table.file));
     const std::optional<std::size_t> time = timeColumn(raw.table, raw.kinds);
     std::vector<TextGroup> groups;
+    if (named && time) {
+        Outcome<std::vector<TextGroup>> channels = channelsOf(raw, *named, *time);
+        tellAll(told, channels.diagnostics());
+        return channels ? std::move(*channels) : std::vector<TextGroup>{};
+    }
+    if (time) tellAll(told, tellMixedRows(raw, *time));
     const std::vector<std::size_t> times = time ? timesOf(raw, *time) : std::vector<std::size_t>{};
     if (times.size() < 2) {
         groups.push_back(wholeGroup(std::move(raw), std::move(statuses), time));
@@ -158,6 +169,15 @@ std::vector<TextGroup> groupsOf(RawTable raw, const std::map<std::string, std::s
         told.push_back(remark(phrase("{} columns of time: each channel belongs to the one on its left", times.size()),
                               raw.table.file));
     }
+    return groups;
+}
+
+}  // namespace
+
+std::vector<TextGroup> groupsOf(RawTable raw, const std::optional<NamedRows>& named,
+                                const std::map<std::string, std::string>& comments, const ReadOptions& options,
+                                Diagnostics& told, Questions& asked) {
+    std::vector<TextGroup> groups = cutGroups(std::move(raw), named, told);
     for (TextGroup& group : groups) {
         for (const Column& column : group.table.columns) {
             const auto comment = comments.find(column.name);
@@ -165,9 +185,8 @@ std::vector<TextGroup> groupsOf(RawTable raw, const std::map<std::string, std::s
         }
         tellTexts(group, told);
         if (!group.time) continue;
-        for (Diagnostic& counted : nameCountedUnit(group.table, *group.time, options, asked))
-            told.push_back(std::move(counted));
-        for (Diagnostic& mended : mendRepeatedStamps(group.table, *group.time)) told.push_back(std::move(mended));
+        tellAll(told, nameCountedUnit(group.table, *group.time, options, asked));
+        tellAll(told, mendRepeatedStamps(group.table, *group.time));
         tellSwitches(group, told);
     }
     return groups;

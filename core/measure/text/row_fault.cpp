@@ -19,13 +19,33 @@ Text hintOfLength(std::size_t found, std::size_t expected, char separator, bool 
     return hint;
 }
 
-Text hintOfWord(const std::string& text, const Layout& layout, bool isBehindGap) {
+namespace {
+
+/// Whether the names of the columns stand again below, as where a program began a second recording in one file.
+bool namesStandAgain(const Layout& layout, LineReader& behind) {
+    constexpr int most = 100;
+    if (layout.headerLine == 0) return false;
+    TextLine line;
+    for (int i = 0; i < most && behind.next(line); ++i) {
+        const CsvRow row = splitCsvRow(line.text, layout.separator);
+        const auto isName = [&](std::size_t k) { return row.cells[k].text == layout.columns[k].header; };
+        const std::size_t count = std::min(row.cells.size(), layout.columns.size());
+        std::size_t named = 0;
+        while (named < count && isName(named)) ++named;
+        if (named > 1 && named + 1 >= count) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+Text hintOfWord(const std::string& text, const Layout& layout, bool isBehindGap, LineReader behind) {
     const auto& columns = layout.columns;
     const bool isHeader = std::any_of(columns.begin(), columns.end(), [&](const LayoutColumn& named) {
         return named.header == text && !named.header.empty();
     });
     Text hint = phrase("Only numbers can be read; leave the cell of an output empty where it was not measured.");
-    if (isHeader)
+    if (isHeader || namesStandAgain(layout, behind))
         hint = phrase("The header stands here again: split the file in front of this line, it holds two recordings.");
     else if (isBehindGap && kindOf(text) == CellKind::Words)
         hint = phrase(

@@ -12,6 +12,6 @@ namespace analogon {
 Text hintOfLength(std::size_t found, std::size_t expected, char separator, bool hasHeader);
 
 /// A cell that is no number; `isBehindGap`: the row stands behind an empty line.
-Text hintOfWord(const std::string& text, const Layout& layout, bool isBehindGap);
+Text hintOfWord(const std::string& text, const Layout& layout, bool isBehindGap, LineReader behind);
 
 }  // namespace analogon

@@ -94,11 +94,6 @@ private:
         return false;
     }
 
-    bool openQuote(const CsvRow& row) {
-        return fault(phrase("a quotation mark is opened and not closed on its line"), line_.number, row.openQuote,
-                     phrase("Close it, or double it where the mark itself is meant."), line_.text);
-    }
-
     /// Whether there is memory for the numbers, by the length of the first row; a number takes two bytes at least.
     bool hasMemory() {
         if (!hasLine_) return true;
@@ -206,7 +201,9 @@ private:
 
     bool readAnyRow() {
         CsvRow row = splitCsvRow(line_.text, separator_);
-        if (row.openQuote) return openQuote(row);
+        if (row.openQuote)
+            return fault(phrase("a quotation mark is opened and not closed on its line"), line_.number, row.openQuote,
+                         phrase("Close it, or double it where the mark itself is meant."), line_.text);
         const std::size_t count = table().columns.size();
         while (row.cells.size() > count && row.cells.back().text.empty()) row.cells.pop_back();
         if (row.cells.size() > count && row.cells.size() <= count + layout_.remarks) row.cells.resize(count);
@@ -228,11 +225,18 @@ private:
                std::all_of(row.cells.begin(), row.cells.end(), [](const CsvCell& cell) { return cell.text.empty(); });
     }
 
+    /// "2s" is none in a column of quantities.
+    bool beginsWithWord(const CsvRow& row) const {
+        const std::string& text = row.cells.front().text;
+        const bool isQuantity = raw_.kinds.front() == CellKind::Quantity && readQuantity(text, true);
+        return kindOf(text) == CellKind::Words && !isQuantity;
+    }
+
     /// "EOF" below a table.
     bool isWordAlone(const CsvRow& row) const {
         const auto told =
             std::count_if(row.cells.begin(), row.cells.end(), [](const CsvCell& c) { return !c.text.empty(); });
-        return table().columns.size() > 1 && told == 1 && kindOf(row.cells.front().text) == CellKind::Words;
+        return table().columns.size() > 1 && told == 1 && beginsWithWord(row);
     }
 
     bool isEndOfText() {
@@ -250,12 +254,11 @@ private:
     /// behind an empty line.
     bool isFooter(const CsvRow& first) {
         constexpr std::size_t most = 20;
-        const auto isWord = [](const CsvRow& row) { return kindOf(row.cells.front().text) == CellKind::Words; };
-        if (table().lines.empty() || raw_.kinds.front() == CellKind::Words || !isWord(first)) return false;
+        if (table().lines.empty() || raw_.kinds.front() == CellKind::Words || !beginsWithWord(first)) return false;
         LineReader ahead = lines_;
         std::size_t count = 0;
         for (TextLine line; ahead.next(line);)
-            if (!isEmptyLine(line.text) && (++count > most || !isWord(splitCsvRow(line.text, separator_))))
+            if (!isEmptyLine(line.text) && (++count > most || !beginsWithWord(splitCsvRow(line.text, separator_))))
                 return false;
         if (!isBehindGap_ && count == 0) return false;  // one row may be one that is damaged
         warnings_.push_back(asWarning(
@@ -407,7 +410,7 @@ private:
                          line_.number, cell.position, phrase("Write the whole file with one decimal mark."),
                          line_.text);
         return fault(phrase("'{}' in column '{}' is not a number", shortened(cell.text, 60), cited(column)),
-                     line_.number, cell.position, hintOfWord(cell.text, layout_, isBehindGap_), line_.text);
+                     line_.number, cell.position, hintOfWord(cell.text, layout_, isBehindGap_, lines_), line_.text);
     }
 
     void finish() {

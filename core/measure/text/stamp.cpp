@@ -73,6 +73,21 @@ bool readNamedDate(StampParts& parts, Stamp& stamp) {
     return true;
 }
 
+/// 2024-167, 2024 167, 2024:167: the day of the year; without a minus sign between them, in front of a clock alone.
+bool readOrdinalDate(StampParts& parts, Stamp& stamp) {
+    StampParts ahead = parts;
+    const std::string_view year = ahead.digits(4);
+    const char mark = ahead.front();
+    if (year.size() != 4 || std::string_view("-/.: ").find(mark) == std::string_view::npos) return false;
+    ahead.skip(std::string_view(&mark, 1));
+    const std::string_view digits = ahead.digits(4);
+    if (digits.size() != 3 || (ahead.isAtEnd() && mark != '-')) return false;
+    if (!ahead.isAtEnd() && !ahead.take(mark == ':' ? ':' : ' ') && !ahead.take('T')) return false;
+    if (!putOrdinal(numberOfDigits(year), numberOfDigits(digits), stamp)) return false;
+    parts = ahead;
+    return true;
+}
+
 /// 20240615T103000
 bool readCompactDate(StampParts& parts, Stamp& stamp) {
     StampParts ahead = parts;
@@ -93,38 +108,63 @@ bool readCompactDate(StampParts& parts, Stamp& stamp) {
     return true;
 }
 
+/// AM, a.m., "a. m.", also behind and with the blanks that break no line.
 void readHalf(StampParts& parts, Stamp& stamp) {
+    constexpr std::string_view blanks = " \xC2\xA0\xE2\x80\xAF";
     StampParts ahead = parts;
-    ahead.skip(" ");
-    const std::string word = inLowerCase(ahead.rest().substr(0, 4));
-    const bool isDotted = word == "a.m." || word == "p.m.";
-    const bool isHalf =
-        isDotted || ((word.starts_with("am") || word.starts_with("pm")) && (word.size() < 3 || !isLetter(word[2])));
+    ahead.skip(blanks);
+    const bool isMorning = ahead.take('a') || ahead.take('A');
+    if (!isMorning && !ahead.take('p') && !ahead.take('P')) return;
+    ahead.take('.');
+    ahead.skip(blanks);
+    if (!ahead.take('m') && !ahead.take('M')) return;
+    ahead.take('.');
     const std::int64_t hours = stamp.nanoseconds / hour;
-    if (!isHalf || hours < 1 || hours > 12) return;
-    if (word.front() == 'a' && hours == 12) stamp.nanoseconds -= 12 * hour;
-    if (word.front() == 'p' && hours != 12) stamp.nanoseconds += 12 * hour;
-    ahead.cut(isDotted ? 4 : 2);
+    if (isLetter(ahead.front()) || hours < 1 || hours > 12) return;
+    if (isMorning && hours == 12) stamp.nanoseconds -= 12 * hour;
+    if (!isMorning && hours != 12) stamp.nanoseconds += 12 * hour;
     parts = ahead;
+}
+
+/// Days in front of a clock: "3d 10:30:00", "3 10:30:00", "3.10:30:00", "3 days 10:30:00".
+std::int64_t readDays(StampParts& parts) {
+    StampParts ahead = parts;
+    const std::string_view digits = ahead.digits(4);
+    if (digits.empty()) return 0;
+    const bool isParted = ahead.front() == ' ';
+    ahead.skip(" ");
+    const std::string word = inLowerCase(ahead.letters());
+    const bool isWord = word == "d" || word == "day" || word == "days" || word == "tag" || word == "tage";
+    if (!isWord && (!word.empty() || !(isParted || ahead.take('.')))) return 0;
+    ahead.skip(" ,");
+    if (!isDigit(ahead.front())) return 0;
+    parts = ahead;
+    return numberOfDigits(digits);
+}
+
+/// Seconds behind days, hours and minutes: 167:10:30:00, 1:10:30:00.5; its decimals are left. Where all fields have
+/// two digits they may be hours to hundredths as well. False: they are, as far as one stamp tells.
+bool readSecondsBehindDays(StampParts& parts, const std::array<std::string_view, 3>& fields, Stamp& stamp) {
+    StampParts ahead = parts;
+    ahead.take(':');
+    const std::string_view last = ahead.digits(3);
+    const bool hasDecimals = ahead.front() == '.' || ahead.front() == ',';
+    const bool isClock = last.size() == 2 && numberOfDigits(fields[1]) < 24 && numberOfDigits(last) < 60;
+    stamp.countsDays = isClock && (fields[0].size() == 3 || hasDecimals);
+    stamp.mayCountDays = isClock && !stamp.countsDays;
+    if (!stamp.countsDays) return false;
+    stamp.nanoseconds = numberOfDigits(fields[0]) * day + numberOfDigits(fields[1]) * hour +
+                        numberOfDigits(fields[2]) * minute + numberOfDigits(last) * second;
+    parts = ahead;
+    return true;
 }
 
 /// h:mm, h:mm:ss, h:mm:ss.f, h:mm:ss:mmm; with a sign and days in front where nothing else stands there.
 bool readClock(StampParts& parts, Stamp& stamp) {
     StampParts ahead = parts;
-    bool isNegative = false;
-    std::int64_t days = 0;
-    if (!stamp.hasDate()) {
-        isNegative = ahead.take('-');
-        if (!isNegative) ahead.take('+');
-        StampParts withDays = ahead;
-        const std::string_view digits = withDays.digits(4);
-        const bool isDay = !digits.empty() && (withDays.take('d') || withDays.front() == ' ' || withDays.take('.'));
-        withDays.skip(" ,");
-        if (isDay && isDigit(withDays.front())) {
-            days = numberOfDigits(digits);
-            ahead = withDays;
-        }
-    }
+    const bool isNegative = !stamp.hasDate() && ahead.take('-');
+    if (!stamp.hasDate() && !isNegative) ahead.take('+');
+    const std::int64_t days = stamp.hasDate() ? 0 : readDays(ahead);
     const std::string_view hours = ahead.digits(6);
     if (hours.empty() || !ahead.take(':')) return false;
     const std::string_view minutes = ahead.digits(2);
@@ -135,6 +175,8 @@ bool readClock(StampParts& parts, Stamp& stamp) {
         const std::string_view seconds = ahead.digits(2);
         if (seconds.empty() || numberOfDigits(seconds) > 60) return false;
         value += numberOfDigits(seconds) * second;
+        const bool mayHaveDays = !stamp.hasDate() && days == 0 && ahead.front() == ':';
+        if (mayHaveDays && readSecondsBehindDays(ahead, {hours, minutes, seconds}, stamp)) value = stamp.nanoseconds;
     }
     const char mark = ahead.front();
     if ((mark == '.' || mark == ',' || (mark == ':' && !stamp.hasTwoFields)) && ahead.rest().size() > 1 &&
@@ -201,9 +243,11 @@ std::optional<Stamp> readStamp(std::string_view text) {
         if (length < 2 || length > 10) return std::nullopt;
         parts.skip(", .");
     }
-    const bool hasDate = readCompactDate(parts, stamp) || readNumericDate(parts, stamp) || readNamedDate(parts, stamp);
+    const bool isOrdinal = readOrdinalDate(parts, stamp);
+    const bool hasDate =
+        isOrdinal || readCompactDate(parts, stamp) || readNumericDate(parts, stamp) || readNamedDate(parts, stamp);
     if (hasDate && isCutYear && stamp.allows(DateOrder::YearMonthDay)) stamp.orders = bit(DateOrder::YearMonthDay);
-    if (hasDate && !stamp.hasClock) {
+    if (hasDate && !isOrdinal && !stamp.hasClock) {
         const std::string_view before = parts.rest();
         parts.skip(" T,_");
         if (parts.front() == '-') parts.skip("- ");
@@ -223,6 +267,15 @@ std::optional<Stamp> readStamp(std::string_view text) {
     }
     if (!stamp.hasDate() && !stamp.hasClock) return std::nullopt;
     if (stamp.hasDate() && stamp.nanoseconds > day) return std::nullopt;
+    return stamp;
+}
+
+Stamp inDays(Stamp stamp) {
+    const std::int64_t clock = stamp.nanoseconds;
+    stamp.nanoseconds = clock / hour * day + clock / minute % 60 * hour + clock / second % 60 * minute +
+                        clock % second * 100;  // hundredths were read
+    stamp.mayCountDays = stamp.hasFraction = false;
+    stamp.countsDays = true;
     return stamp;
 }
 

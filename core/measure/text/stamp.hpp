@@ -19,6 +19,8 @@ struct Stamp {
     bool hasClock{};
     bool hasTwoFields{};         // 10:30: hours and minutes, or minutes and seconds
     bool hasFraction{};          // decimals behind the seconds
+    bool mayCountDays{};         // 1:10:30:05: hours to hundredths, as it is read, or days to seconds; see inDays
+    bool countsDays{};           // 167:10:30:00: days in front of the hours
     std::int16_t zone{noZone};   // [min] east of Greenwich
     std::int64_t nanoseconds{};  // of the clock; of two fields as hours and minutes
 
@@ -27,10 +29,14 @@ struct Stamp {
     bool allows(DateOrder order) const { return (orders >> static_cast<int>(order) & 1) != 0; }
 };
 
-/// 2024-06-15T10:30:00.5Z, 15.06.2024 10:30:00,5, 06/15/24 10:30:00 PM, 15-Jun-2024, 10:30:00.5, 125:10:00, +02:00 …
+/// 2024-06-15T10:30:00.5Z, 15.06.2024 10:30:00,5, 06/15/24 10:30:00 PM, 15-Jun-2024, 10:30:00.5, 125:10:00, +02:00 …;
+/// with the day of the year: 2024-167 10:30:00, 2024 167 10:30:00.5, 167:10:30:00; "0 days 00:00:01.5".
 std::optional<Stamp> readStamp(std::string_view text);
 
-/// By a format: %Y %y %m %d %H %I %M %S %f %p %b %z, or the letters yyyy MM dd HH mm ss SSS tt.
+/// A stamp that may count days, as one that does.
+Stamp inDays(Stamp stamp);
+
+/// By a format: %Y %y %m %d %j %H %I %M %S %f %p %b %z, or the letters yyyy MM dd HH mm ss SSS tt.
 std::optional<Stamp> readStamp(std::string_view text, std::string_view format);
 
 /// The format by which a stamp is read in one order of its date: "%d/%m/%Y %I:%M:%S %p"; empty: there is none.

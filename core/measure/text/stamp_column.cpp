@@ -9,6 +9,7 @@
 
 #include "core/base/file_fault.hpp"
 #include "core/base/median.hpp"
+#include "core/measure/text/counted_days.hpp"
 #include "core/measure/text/remark.hpp"
 #include "core/measure/text/stamp_traits.hpp"
 #include "core/measure/text/time_format.hpp"
@@ -394,6 +395,7 @@ void putSeconds(RawTable& raw, std::size_t index, const std::vector<std::int64_t
 }  // namespace
 
 Outcome<std::string> makeSeconds(RawTable& raw, const ReadOptions& options, Questions& asked) {
+    if (Diagnostics faults = settleDays(raw, options, asked); !faults.empty()) return faults;
     Diagnostics told;
     joinDateAndClock(raw, told);
     addMilliseconds(raw, told);

@@ -53,9 +53,11 @@ public:
                 return number(2, month_);
             case 'd':
                 return number(2, day_);
+            case 'j':
+                return number(3, dayOfYear_);
             case 'H':
             case 'I':
-                return number(isJoined ? 2 : 6, hours_) && (stamp_.hasClock = true);
+                return number(isJoined ? hourDigits() : 6, hours_) && (stamp_.hasClock = true);
             case 'M':
                 return number(2, minutes_) && (stamp_.hasClock = true);
             case 'S':
@@ -84,7 +86,15 @@ public:
     std::optional<Stamp> stamp() {
         if (!parts_.isAtEnd() || (!hasDate_ && !stamp_.hasClock)) return std::nullopt;
         stamp_.nanoseconds = hours_ * hour + minutes_ * minute + seconds_ * second + fraction_ + half_ * hour;
-        if (!hasDate_) return stamp_;
+        if (!hasDate_) {  // days that are counted by no year
+            stamp_.countsDays = dayOfYear_ > 0;
+            stamp_.nanoseconds += dayOfYear_ * 24 * hour;
+            return stamp_;
+        }
+        if (dayOfYear_ > 0) {
+            const int year = year_ >= 100 ? year_ : year_ + (year_ < 70 ? 2000 : 1900);
+            return putOrdinal(year, dayOfYear_, stamp_) ? std::optional(stamp_) : std::nullopt;
+        }
         stamp_.date = {static_cast<std::int16_t>(year_), static_cast<std::int16_t>(month_),
                        static_cast<std::int16_t>(day_)};
         stamp_.orders = 1u << static_cast<int>(DateOrder::YearMonthDay);
@@ -96,6 +106,11 @@ private:
         const std::string_view found = parts_.digits(digits);
         value = numberOfDigits(found);
         return !found.empty();
+    }
+    /// A clock without marks may have lost the zero in front of its hours: 93000.
+    std::size_t hourDigits() const {
+        StampParts ahead = parts_;
+        return ahead.digits(18).size() % 2 == 1 ? 1 : 2;
     }
     /// Decimals may follow though the format has none.
     bool decimals() {
@@ -123,7 +138,7 @@ private:
     StampParts parts_;
     Stamp stamp_;
     bool hasDate_{};
-    int year_{}, month_{1}, day_{1}, hours_{}, minutes_{}, seconds_{}, half_{};
+    int year_{}, month_{1}, day_{1}, dayOfYear_{}, hours_{}, minutes_{}, seconds_{}, half_{};
     std::int64_t fraction_{};
 };
 

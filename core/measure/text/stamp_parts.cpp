@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <string>
 
 #include "core/measure/csv_dialect.hpp"
+#include "core/measure/text/stamp.hpp"
 
 namespace analogon {
 
@@ -26,6 +28,16 @@ int monthOf(std::string_view name) {
     if (head == "dez") return 12;
     const auto found = std::find(names.begin(), names.end(), head);
     return found == names.end() ? 0 : static_cast<int>(found - names.begin()) + 1;
+}
+
+bool putOrdinal(int year, int dayOfYear, Stamp& stamp) {
+    const std::chrono::year_month_day first{std::chrono::year(year), std::chrono::January, std::chrono::day(1)};
+    const std::chrono::year_month_day date(std::chrono::sys_days(first) + std::chrono::days(dayOfYear - 1));
+    if (dayOfYear < 1 || year < 1700 || year > 2250 || date.year() != first.year()) return false;
+    stamp.date = {static_cast<std::int16_t>(year), static_cast<std::int16_t>(static_cast<unsigned>(date.month())),
+                  static_cast<std::int16_t>(static_cast<unsigned>(date.day()))};
+    stamp.orders = 1u << static_cast<unsigned>(DateOrder::YearMonthDay);
+    return true;
 }
 
 std::int64_t readFraction(StampParts& parts) {

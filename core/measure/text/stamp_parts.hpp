@@ -51,6 +51,10 @@ int numberOfDigits(std::string_view digits);
 /// 0: no month. The first letters of the names in English and German.
 int monthOf(std::string_view name);
 
+struct Stamp;
+/// The date of a day of a year, counted from 1; false: there is no such day.
+bool putOrdinal(int year, int dayOfYear, Stamp& stamp);
+
 /// Decimals of a second [ns]; points between groups of three are left out (255.812.740).
 std::int64_t readFraction(StampParts& parts);
 

@@ -4,11 +4,13 @@ namespace analogon {
 
 namespace {
 
-constexpr std::uint8_t clock = 1 << 3, twoFields = 1 << 4, fraction = 1 << 5;  // behind the three orders
+constexpr std::uint8_t clock = 1 << 3, twoFields = 1 << 4, fraction = 1 << 5, mayCount = 1 << 6,
+                       counts = 1 << 7;  // behind the three orders
 
 std::uint8_t marksOf(const Stamp& stamp) {
     return static_cast<std::uint8_t>(stamp.orders | (stamp.hasClock ? clock : 0) |
-                                     (stamp.hasTwoFields ? twoFields : 0) | (stamp.hasFraction ? fraction : 0));
+                                     (stamp.hasTwoFields ? twoFields : 0) | (stamp.hasFraction ? fraction : 0) |
+                                     (stamp.mayCountDays ? mayCount : 0) | (stamp.countsDays ? counts : 0));
 }
 
 /// A value of a row; the list comes to be with the first that is not the usual one.
@@ -32,6 +34,8 @@ Stamp StampSeries::operator[](std::size_t row) const {
     stamp.hasClock = (marks & clock) != 0;
     stamp.hasTwoFields = (marks & twoFields) != 0;
     stamp.hasFraction = (marks & fraction) != 0;
+    stamp.mayCountDays = (marks & mayCount) != 0;
+    stamp.countsDays = (marks & counts) != 0;
     if (row < nanoseconds_.size()) stamp.nanoseconds = nanoseconds_[row];
     if (row < dates_.size()) stamp.date = dates_[row];
     if (row < zones_.size()) stamp.zone = zones_[row];

@@ -15,6 +15,9 @@ StampTraits traitsOf(const StampSeries& stamps) {
         traits.anyZone = traits.anyZone || stamp.zone != Stamp::noZone;
         traits.haveTwoFields = traits.haveTwoFields && stamp.hasTwoFields;
         traits.anyFraction = traits.anyFraction || stamp.hasFraction;
+        traits.mayCountDays = traits.mayCountDays && (stamp.mayCountDays || stamp.countsDays);
+        traits.anyMayCountDays = traits.anyMayCountDays || stamp.mayCountDays;
+        traits.anyCountsDays = traits.anyCountsDays || stamp.countsDays;
         if (stamp.hasDate()) traits.orders &= stamp.orders;
     }
     return traits;

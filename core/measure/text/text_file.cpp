@@ -34,7 +34,8 @@ Diagnostics checkOptions(const ReadOptions& options, const std::string& file) {
     if (!isOf(options.decimal, knownDecimals)) return wrong("decimal", phrase("It is . or ,"));
     if (!isOf(options.thousands, knownThousands)) return wrong("thousands", phrase("It is . , ' or a blank."));
     if (!options.encoding.empty() && !decodeText("", options.encoding))
-        return wrong("encoding", phrase("It is utf-8, utf-16le, utf-16be, windows-1252 or iso-8859-1."));
+        return wrong("encoding",
+                     phrase("It is utf-8, utf-16le, utf-16be, utf-32le, utf-32be, windows-1252 or iso-8859-1."));
     return {};
 }
 
@@ -83,8 +84,10 @@ Outcome<TextFile> readPlainTable(TextView text, const std::string& name, const R
                                  const Progress& progress, Questions& asked) {
     std::string store;
     const std::optional<LabelledText> labelled = withoutLabels(text, store);
+    const std::optional<UnframedText> unframed = labelled ? std::nullopt : withoutFrames(text, store);
     if (labelled) text = labelled->text;
-    Outcome<Layout> layout = findLayout(text, name, options, asked);
+    if (unframed) text = unframed->text;
+    Outcome<Layout> layout = findLayout(text, name, options, asked, unframed ? &*unframed : nullptr);
     if (!layout) return layout.diagnostics();
     if (labelled) nameByLabels(*layout, *labelled);
     for (LayoutColumn& column : layout->columns) column.unit = unitMeant(column.name, column.unit, options);
@@ -95,7 +98,8 @@ Outcome<TextFile> readPlainTable(TextView text, const std::string& name, const R
     std::map<std::string, std::string> comments;
     for (const LayoutColumn& column : layout->columns) comments[column.name] = column.comment;
 
-    Diagnostics meaning = applyUnitColumns(*raw);
+    const std::optional<NamedRows> named = findNamedRows(*raw);
+    Diagnostics meaning = named ? Diagnostics{} : applyUnitColumns(*raw);
     if (hasError(meaning)) return meaning;
     append(told, std::move(meaning));
     const Outcome<std::string> start = makeSeconds(*raw, options, asked);
@@ -109,9 +113,10 @@ Outcome<TextFile> readPlainTable(TextView text, const std::string& name, const R
     file.format = "text";
     file.start = start->empty() ? startOf(layout->facts) : *start;
     file.found = described(*layout);
+    if (unframed && !unframed->pairs.empty()) file.found += phrase(", settings beside the first rows");
     if (labelled && !labelled->names.empty()) file.found += phrase(", names in front of the numbers");
     if (!isUtf8(text.text.substr(0, layout->offset))) file.found += phrase(", letters of Windows-1252");
-    file.groups = groupsOf(std::move(*raw), comments, options, told, asked);
+    file.groups = groupsOf(std::move(*raw), named, comments, options, told, asked);
     if (hasError(told)) return told;
     return {std::move(file), std::move(told)};
 }

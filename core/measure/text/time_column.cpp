@@ -11,6 +11,7 @@
 #include "core/measure/counted_time.hpp"
 #include "core/measure/text/remark.hpp"
 #include "core/measure/text/time_format.hpp"
+#include "core/measure/text/written_clock.hpp"
 #include "core/measure/time_name.hpp"
 
 namespace analogon {
@@ -235,6 +236,17 @@ Diagnostics nameCountedUnit(Table& table, std::size_t time, const ReadOptions& o
         askUnit(column, table.lines.front(), {{nameOfUnit(unit), unit}, {phrase("seconds"), "s"}}, options, asked);
         return {doubt(phrase("the time in column '{}' is taken in {}, as its name says", cited(column.name), unit),
                       table.file, table.lines.front())};
+    }
+    if (const std::string format = writtenFormat(column.values); !format.empty()) {
+        Text label = format == "%H%M%S" ? phrase("hours, minutes and seconds in one number")
+                                        : phrase("date and clock in one number");
+        Text message = phrase("the time in column '{}' begins at {:.14g} and has no unit: these may be seconds, or {}",
+                              cited(column.name), column.values.front(), label);
+        askUnit(column, table.lines.front(), {{std::move(label), format}, {phrase("seconds"), "s"}}, options, asked);
+        return {fileError(std::move(message), table.file, table.lines.front(), 0,
+                          phrase("Say it in the study: \"read\": {{\"time_format\": \"{}\"}} or "
+                                 "{{\"time_format\": \"s\"}}.",
+                                 format))};
     }
     const CountedTime counted = countedTime(column.values);
     if (!counted.unit.empty()) {

@@ -22,13 +22,14 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// Marks between thousands stand before groups of three digits each.
+/// Marks between thousands stand before groups of three digits each, and behind no zero.
 bool hasThousandsWhereTheyBelong(std::string_view whole, char mark) {
     const std::size_t first = whole.find(mark);
     if (first == std::string_view::npos) return true;
     for (std::size_t i = first; i < whole.size(); i += 4)
         if (whole[i] != mark || i + 4 > whole.size()) return false;
-    return first > 0;
+    const std::size_t sign = whole.front() == '-' || whole.front() == '+' ? 1 : 0;
+    return first > sign && whole[sign] != '0';
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ public:
     SheetReader(const Sheet& sheet, std::vector<Text>& notes) : sheet_(sheet), notes_(notes) {}
 
     std::vector<SheetTable> read() {
-        decimal_ = decimalMark();
+        sheetMark_ = marksOfSheet().decimal();
         first_ = firstDataRow();
         if (first_ == sheet_.rows.size()) return {};
         readHeader();
@@ -47,31 +47,49 @@ public:
     }
 
 private:
-    /// A comma is the decimal mark where a text has one that cannot stand between thousands.
-    char decimalMark() {
-        bool hasTexts = false;
+    /// What numbers that were written as text tell of their marks: one that cannot stand between thousands is that of
+    /// decimals.
+    struct Marks {
+        bool isComma{}, isPoint{}, isOpen{};
+        void add(const Cell& cell) {
+            if (cell.kind != Cell::Kind::Text || cell.text.find_first_of("0123456789") == std::string::npos) return;
+            const std::optional<double> withComma = numberOf(cell.text, ','), withPoint = numberOf(cell.text, '.');
+            isComma = isComma || (withComma && !withPoint);
+            isPoint = isPoint || (withPoint && !withComma);
+            isOpen = isOpen || (withComma && withPoint && *withComma != *withPoint);
+        }
+        /// 0: nothing tells it.
+        char decimal() const { return isComma == isPoint ? '\0' : isComma ? ',' : '.'; }
+    };
+
+    Marks marksOfSheet() const {
+        Marks marks;
         for (const Row& row : sheet_.rows)
-            for (const Cell& cell : row.cells) {
-                if (cell.kind != Cell::Kind::Text || cell.text.find_first_of("0123456789") == std::string::npos)
-                    continue;
-                const bool withComma = numberOf(cell.text, ',').has_value();
-                const bool withPoint = numberOf(cell.text, '.').has_value();
-                hasTexts = hasTexts || withComma || withPoint;
-                if (withComma != withPoint) return withComma ? ',' : '.';
-            }
-        return hasTexts ? ',' : '.';
+            for (const Cell& cell : row.cells) marks.add(cell);
+        return marks;
+    }
+
+    /// Those of the column, or else of the sheet. False: its numbers can be read in two ways.
+    bool findMark(std::uint32_t index) {
+        Marks marks;
+        for (std::size_t r = first_; r < last_; ++r)
+            if (const Cell* cell = cellAt(sheet_.rows[r], index)) marks.add(*cell);
+        const char told = marks.decimal() != 0 ? marks.decimal() : sheetMark_;
+        decimal_ = told != 0 ? told : '.';
+        return told != 0 || !marks.isOpen;
     }
 
     bool isValue(const Cell& cell) const {
         if (cell.kind != Cell::Kind::Text) return true;
         return numberOf(cell.text, decimal_).has_value() || dateOf(cell.text).has_value();
     }
+    bool mayBeValue(const Cell& cell) const { return isValue(cell) || numberOf(cell.text, ',').has_value(); }
     bool isDataLike(const Row& row) const {
         std::size_t values = 0, told = 0;
         for (const Cell& cell : row.cells) {
             if (cell.kind == Cell::Kind::Text && meansNothing(cell.text)) continue;
             ++told;
-            values += isValue(cell) ? 1 : 0;
+            values += mayBeValue(cell) ? 1 : 0;
         }
         return values > 0 && 2 * values >= told;
     }
@@ -157,7 +175,7 @@ private:
             const bool isBehindGap = rows[end].number != rows[end - 1].number + 1;
             const bool isAlike = isDataLike(rows[end]) &&
                                  rows[end].cells.front().column == rows[first_].cells.front().column &&
-                                 isValue(rows[end].cells.front()) == isValue(rows[first_].cells.front());
+                                 mayBeValue(rows[end].cells.front()) == mayBeValue(rows[first_].cells.front());
             if (isBehindGap && !isAlike) break;
             ++end;
         }
@@ -171,6 +189,7 @@ private:
     void readColumn(std::uint32_t index, SheetColumn& column) {
         const Cell* unit = units_ ? cellAt(*units_, index) : nullptr;
         if (unit) column.unit = readUnitCell(unit->text);
+        const bool isOneReading = findMark(index);
         std::size_t texts = 0, values = 0, dates = 0, percents = 0, written = 0;
         for (std::size_t r = first_; r < last_; ++r) {
             const Cell* cell = cellAt(sheet_.rows[r], index);
@@ -182,7 +201,12 @@ private:
             percents += cell->kind == Cell::Kind::Percent ? 1 : 0;
             written += cell->kind == Cell::Kind::Text && !isDate && isValue(*cell) ? 1 : 0;
         }
-        column.isText = texts > values;
+        column.isText = texts > values || !isOneReading;
+        if (!isOneReading)
+            notes_.push_back(
+                phrase("sheet \"{}\", column \"{}\": its numbers are written as text, and their mark may "
+                       "stand for decimals or between thousands: write them as numbers",
+                       sheet_.name, column.name));
         column.isDate = !column.isText && 2 * dates > values;
         const bool isPercent = column.unit == "%" && 2 * percents > values;
         if (written > 0 && !column.isText)
@@ -333,7 +357,7 @@ private:
 
     const Sheet& sheet_;
     std::vector<Text>& notes_;
-    char decimal_{'.'};
+    char sheetMark_{}, decimal_{'.'};  // of the whole sheet, 0: not told; of the column that is read
     std::size_t first_{}, last_{};
     std::vector<const Row*> headers_;  // rows of words above the units and the data, the lowest first
     const Row* units_{};

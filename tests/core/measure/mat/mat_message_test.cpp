@@ -68,6 +68,45 @@ TEST(MatMessage, OfAFaultGivesItsWordsPlaceAndHint) {
     EXPECT_EQ(decoded.diagnostics()[0].hint, "do this");
 }
 
+/// The process that writes it works with damaged input.
+TEST(MatMessage, ThatIsDamagedEndsInChannelsThatFitTogetherOrInAFault) {
+    const std::string whole = encoded(someChannels());
+    std::uint32_t state = 11;
+    int faults = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        std::string bytes = whole;
+        for (int changes = 0; changes <= i % 3; ++changes) {
+            state = state * 1664525u + 1013904223u;
+            bytes[(state >> 8) % bytes.size()] = static_cast<char>(state);
+        }
+        const Outcome<Channels> decoded = decodedChannels(bytes);
+        faults += decoded ? 0 : 1;
+        if (!decoded) continue;
+        ASSERT_EQ(decoded->places.size(), decoded->groups.size());
+        for (std::size_t g = 0; g < decoded->groups.size(); ++g) {
+            const RecordedGroup& group = decoded->groups[g];
+            ASSERT_EQ(decoded->places[g].size(), group.channels.size());
+            ASSERT_LT(group.masterChannel.value_or(0), group.channels.size());
+        }
+    }
+    EXPECT_GT(faults, 1000);
+}
+
+TEST(MatMessage, WithoutItsPartsIsAFault) {
+    const auto message = [](const std::string& cbor) {
+        const std::uint64_t length = cbor.size();
+        return std::string(reinterpret_cast<const char*>(&length), sizeof length) + cbor;
+    };
+    for (const char* const head : {"\xA0",
+                                   "\xA1\x66"
+                                   "groups"
+                                   "\x80",
+                                   "\xF6", "\x80"}) {
+        EXPECT_FALSE(decodedChannels(message(head)));
+        EXPECT_FALSE(decodedValues(message(head)));
+    }
+}
+
 TEST(MatMessage, ThatWasCutIsAFault) {
     const std::string whole = encoded(std::vector<ChannelValues>{{{1, 2, 3}, {}}});
     for (std::size_t length = 0; length < whole.size(); ++length)

@@ -59,7 +59,58 @@ protected:
         std::filesystem::temp_directory_path() / ("analogon-mat-" + std::to_string(getpid()) + ".mat");
 };
 
+TEST(MatStacked, SignalsBehindOneAnotherAreChannels) {
+    const std::filesystem::path file =
+        std::filesystem::temp_directory_path() / ("analogon-mat-stacked-" + std::to_string(getpid()) + ".mat");
+    mat_t* const mat = Mat_CreateVer(file.c_str(), nullptr, MAT_FT_MAT5);
+    std::size_t one[2] = {1, 1}, three[2] = {3, 1}, stack[3] = {2, 1, 3};
+    std::vector<double> time{0, 0.5, 1}, values{1, 10, 2, 20, 3, 30};
+    const char* fields[] = {"time", "signals"};
+    const char* inner[] = {"values", "label"};
+    std::string label = "ab";
+    std::size_t letters[2] = {1, 2};
+    matvar_t* const signals = Mat_VarCreateStruct("signals", 2, one, inner, 2);
+    Mat_VarSetStructFieldByName(signals, "values", 0,
+                                Mat_VarCreate(nullptr, MAT_C_DOUBLE, MAT_T_DOUBLE, 3, stack, values.data(), 0));
+    Mat_VarSetStructFieldByName(signals, "label", 0,
+                                Mat_VarCreate(nullptr, MAT_C_CHAR, MAT_T_UTF8, 2, letters, label.data(), 0));
+    matvar_t* const record = Mat_VarCreateStruct("logs", 2, one, fields, 2);
+    Mat_VarSetStructFieldByName(record, "time", 0,
+                                Mat_VarCreate(nullptr, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, three, time.data(), 0));
+    Mat_VarSetStructFieldByName(record, "signals", 0, signals);
+    Mat_VarWrite(mat, record, MAT_COMPRESSION_NONE);
+    Mat_VarFree(record);
+    Mat_Close(mat);
+    const Outcome<MeasurementFile> opened = openRecording(file);
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    const auto& channels = opened->groups.at(0).channels;
+    ASSERT_EQ(channels.size(), 3u);
+    EXPECT_EQ(channels[1].name, "ab(1)");
+    EXPECT_THAT(readValues(*opened, 0, 1)->numbers, ElementsAre(1, 2, 3));
+    EXPECT_EQ(channels[2].name, "ab(2)");
+    EXPECT_THAT(readValues(*opened, 0, 2)->numbers, ElementsAre(10, 20, 30));
+    std::filesystem::remove(file);
+}
+
 INSTANTIATE_TEST_SUITE_P(Levels, MatTest, testing::Values(MAT_FT_MAT4, MAT_FT_MAT5, MAT_FT_MAT73));
+
+TEST_P(MatTest, TimesOfOneLengthBelongToWhatIsCalledAsTheyAre) {
+    write({numbers("t1", {0, 0.5, 1}), numbers("U1", {1, 2, 3}), numbers("t2", {0, 2, 4}), numbers("U2", {4, 5, 6}),
+           numbers("t_oil", {20, 21, 25}), numbers("odd", {7, 8, 9})});
+    const Outcome<MeasurementFile> opened = openRecording(file);
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    const auto groupOf = [&](const std::string& name) -> const RecordedGroup& {
+        for (const RecordedGroup& group : opened->groups)
+            for (const RecordedChannel& channel : group.channels)
+                if (channel.name == name) return group;
+        ADD_FAILURE() << name;
+        return opened->groups.front();
+    };
+    EXPECT_EQ(groupOf("U1").channels.front().name, "t1");
+    EXPECT_EQ(groupOf("U2").channels.front().name, "t2");
+    EXPECT_EQ(groupOf("t_oil").channels.front().name, "t1");  // rises, and not by even steps
+    EXPECT_THAT(notes(*opened), HasSubstr("\"t2\" has as many values"));
+}
 
 TEST_P(MatTest, VectorsOfOneLengthShareTheTimeOfThatLength) {
     write({numbers("t", {0, 0.5, 1}), numbers("y", {1, 2, 3}), numbers("odd", {4, 5}), numbers("R0", {47})});

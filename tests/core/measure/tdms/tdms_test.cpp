@@ -139,6 +139,34 @@ TEST_F(Tdms, AppliesTheScalesOfAChannel) {
     EXPECT_THAT(numbers(*opened, 0, 0), ElementsAre(0.5, 8.5));
 }
 
+TEST_F(Tdms, StampsThatAreCalledATimeAreTheOneOfTheirGroup) {
+    constexpr std::int64_t start = 3801292200;  // since 1904
+    const std::string head = meta({{"/'G'/'Time'", 0x44, 3}, {"/'G'/'a'", 10, 3}});
+    Bytes raw;
+    for (int i = 0; i < 3; ++i) raw.put(std::uint64_t{1} << (i == 1 ? 63 : 62)).put(start + i);
+    const Outcome<MeasurementFile> opened = open(segment(meta1 | fresh | raw1, head, raw.text + doubles({1, 2, 3})));
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    ASSERT_EQ(opened->groups.size(), 1u);
+    EXPECT_EQ(opened->groups[0].master, MasterKind::Time);
+    EXPECT_EQ(opened->groups[0].channels[0].unit, "s");
+    EXPECT_THAT(numbers(*opened, 0, 0), ElementsAre(0, 1.25, 2));
+    EXPECT_EQ(opened->start, "2024-06-15T10:30:00.250Z");
+}
+
+TEST_F(Tdms, AScaleThatCannotBeReadTakesTheUnitAlong) {
+    const std::string head = meta({{"/'G'/'a'",
+                                    2,
+                                    2,
+                                    {{"NI_Number_Of_Scales", 1}},
+                                    {{"NI_Scale[0]_Scale_Type", "RTD"}, {"unit_string", "degC"}}}});
+    Bytes raw;
+    raw.put(std::int16_t{1000}).put(std::int16_t{3000});
+    const Outcome<MeasurementFile> opened = open(segment(meta1 | fresh | raw1, head, raw.text));
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    EXPECT_EQ(opened->groups[0].channels[0].unit, "");
+    EXPECT_THAT(opened->notes.front().english(), HasSubstr("RTD"));
+}
+
 TEST_F(Tdms, AFileThatWasNotClosedIsReadAsFarAsItGoes) {
     const std::string head = meta({{"/'G'/'a'", 10, 4}});
     const Outcome<MeasurementFile> opened = open(segment(meta1 | fresh | raw1, head, doubles({1, 2, 3}) + "123", true));

@@ -32,6 +32,73 @@ protected:
     std::string start, told;
 };
 
+TEST_F(OddKinds, OneLetterBehindEveryNumberOfAColumnIsItsUnit) {
+    read("t,u,state\n0s,1.5,1A\n1s,2,2B\n2s,-3.5,3A\n3s,4,1B\n");  // neither are the last rows a footer
+    EXPECT_EQ(column("t").unit, "s");
+    EXPECT_THAT(column("t").values, ElementsAre(0, 1, 2, 3));
+    EXPECT_THAT(column("u").values, ElementsAre(1.5, 2, -3.5, 4));
+    EXPECT_EQ(table->find("state"), nullptr);  // amperes and bytes: words
+}
+
+TEST_F(OddKinds, APrefixBehindNumbersIsNotTakenForMetres) {
+    const LookedAtText looked = lookAtText("t [s],u\n0,200.5m\n1,210.5m\n2,220.5m\n3,230.5m\n", "odd.csv");
+    EXPECT_TRUE(!looked.table || !looked.table.value()->find("u"));
+}
+
+TEST_F(OddKinds, AKeyInFrontOfTheNamesShiftsNoColumn) {
+    read(
+        "\"Model\",\"X\"\n\"TraceName\",\"CH1\",\"CH2\"\n\"VUnit\",\"V\",\"A\"\n\"HResolution\",0.1,0.1\n"
+        "\"HOffset\",-1,-1\n\"HUnit\",\"s\",\"s\"\n20.5,-3,\n21.5,-4,\n22.5,-6,\n");
+    EXPECT_THAT(column("CH1").values, ElementsAre(20.5, 21.5, 22.5));
+    EXPECT_EQ(column("CH1").unit, "V");
+    EXPECT_THAT(column("CH2").values, ElementsAre(-3, -4, -6));
+    EXPECT_EQ(column("CH2").unit, "A");
+    EXPECT_THAT(column("time").values, ElementsAre(-1, testing::DoubleEq(-0.9), testing::DoubleEq(-0.8)));
+}
+
+TEST_F(OddKinds, CellsThatOnlyTheFirstRowsHaveAreEmptyInTheOthers) {
+    read(
+        "no,Time,T [degC],Serial\n1,10:00:00,20.5,A17\n2,10:00:01,21\n3,10:00:02,22\n4,10:00:03,23\n"
+        "5,10:00:04,24\n6,10:00:05,25\n");
+    EXPECT_THAT(column("T").values, ElementsAre(20.5, 21, 22, 23, 24, 25));
+    EXPECT_THAT(column("Time").values, ElementsAre(0, 1, 2, 3, 4, 5));
+}
+
+TEST_F(OddKinds, ATimeWithAUnitAndWithoutAName) {
+    read("in s,C1 in V\n0,1.5\n0.5,2\n1,4\n");
+    EXPECT_EQ(column("c1").unit, "s");
+    EXPECT_EQ(column("C1").unit, "V");
+    EXPECT_EQ(told.find("no column is a time"), std::string::npos);
+}
+
+TEST_F(OddKinds, ChannelsInRowsAreToldToBe) {
+    const LookedAtText looked = lookAtText("Time [s];0;0.5;1;1.5\nU [V];20.5;21;22;23\nI [A];1;2;3;5\n", "odd.csv");
+    EXPECT_FALSE(looked.table);
+    EXPECT_THAT(format(looked.table.diagnostics()), HasSubstr("stand in rows"));
+    read("state;t [s];u [V]\nheat;0;0.5\nhold;1;1.5\nend;2;2.5\n");
+    EXPECT_THAT(column("t").values, ElementsAre(0, 1, 2));
+}
+
+TEST_F(OddKinds, AQuotientOfANameAndAUnitInBrackets) {
+    read("Zeit/s;n/(1/min)\n0;1000\n1;1100\n2;1300\n");
+    EXPECT_EQ(column("n").unit, "1/min");
+}
+
+TEST_F(OddKinds, ARateAboveOneColumn) {
+    read("Sample Rate: 10 Hz\nU [V]\n20.5\n21\n22.5\n");
+    EXPECT_THAT(column("U").values, ElementsAre(20.5, 21, 22.5));
+    EXPECT_THAT(column("time").values, ElementsAre(0, 0.1, 0.2));
+}
+
+TEST_F(OddKinds, ASecondRecordingBelowIsToldToBeOne) {
+    const std::string head = "Channels\t2\nSamples\t3\nX_Value\tU [V]\tI [A]\n";
+    const LookedAtText looked =
+        lookAtText(head + "0\t1.5\t2\n0.5\t2\t3\n1\t4\t5\n" + head + "0\t1\t2\n0.5\t2\t3\n1\t4\t5\n", "odd.txt");
+    EXPECT_FALSE(looked.table);
+    EXPECT_THAT(format(looked.table.diagnostics()),
+                testing::AnyOf(HasSubstr("two recordings"), HasSubstr("header stands here again")));
+}
+
 TEST_F(OddKinds, UnitsBehindTheNumbersWithoutABlank) {
     read("t,u,f\n0.0s,1.5V,20kHz\n0.1s,2V,21kHz\n0.2s,-3.5V,22kHz\n");
     EXPECT_EQ(column("t").unit, "s");

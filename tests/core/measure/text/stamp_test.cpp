@@ -32,6 +32,38 @@ TEST(Stamp, ReadsDatesInTheOrdersOfTheWorld) {
     EXPECT_EQ(iso("2024-06-15 10:30:00:250", DateOrder::YearMonthDay), "2024-06-15T10:30:00.25");
 }
 
+TEST(Stamp, ReadsTheDayOfTheYear) {
+    for (const char* text : {"2024-167 10:30:00.5", "2024 167 10:30:00.5", "2024/167 10:30:00.5", "2024:167:10:30:00.5",
+                             "2024-167T10:30:00.5"})
+        EXPECT_EQ(iso(text, DateOrder::YearMonthDay), "2024-06-15T10:30:00.5") << text;
+    EXPECT_EQ(iso("2023-365", DateOrder::YearMonthDay), "2023-12-31T00:00:00");
+    EXPECT_EQ(iso("2024-366 00:00:00", DateOrder::YearMonthDay), "2024-12-31T00:00:00");
+    for (const char* text : {"2023-366 00:00:00", "2024-000 10:00:00", "2024 167", "2024.167", "2024-1670 10:00:00"})
+        EXPECT_FALSE(readStamp(text)) << text;
+    EXPECT_EQ(isoText(*dayOf(*readStamp("24/060 01:00", "%y/%j %H:%M"), DateOrder::YearMonthDay) * day).substr(0, 10),
+              "2024-02-29");
+}
+
+TEST(Stamp, CountsDaysInFrontOfAClock) {
+    EXPECT_EQ(readStamp("167:10:30:00")->nanoseconds, 167 * day + 10 * hour + 1800 * second);
+    EXPECT_EQ(readStamp("1:10:30:00.25")->nanoseconds, day + 10 * hour + 1800 * second + 250'000'000);
+    EXPECT_EQ(readStamp("0 days 00:00:01.500000")->nanoseconds, 1'500'000'000);
+    EXPECT_EQ(readStamp("2 Tage 01:00:00")->nanoseconds, 49 * hour);
+    EXPECT_EQ(readStamp("10:30:00:250")->nanoseconds, 10 * hour + 1800 * second + 250'000'000);
+    EXPECT_EQ(readStamp("10:30:00:25")->nanoseconds, 10 * hour + 1800 * second + 250'000'000);  // no thirtieth hour
+    const std::optional<Stamp> open = readStamp("1:10:30:05");
+    EXPECT_TRUE(open->mayCountDays);
+    EXPECT_EQ(open->nanoseconds, hour + 630 * second + 50'000'000);
+    EXPECT_EQ(inDays(*open).nanoseconds, day + 10 * hour + 1805 * second);
+}
+
+TEST(Stamp, KnowsTheHalvesOfTheDayInTheirSpellings) {
+    for (const char* half : {" PM", "pm", " p.m.", " p. m.", "\xC2\xA0p.\xC2\xA0m.", "\xE2\x80\xAFPM"})
+        EXPECT_EQ(readStamp(std::string("01:30:00") + half)->nanoseconds, 13 * hour + 1800 * second) << half;
+    EXPECT_FALSE(readStamp("01:30:00 pma"));
+    EXPECT_FALSE(readStamp("01:30:00 p"));
+}
+
 TEST(Stamp, LeavesOpenWhatIsOpen) {
     const std::optional<Stamp> stamp = readStamp("03/04/2024 10:00:00");
     ASSERT_TRUE(stamp);
@@ -72,6 +104,9 @@ TEST(Stamp, FollowsAFormat) {
     EXPECT_EQ(read("2024-04-03 10.00.00", "%Y-%m-%d %H.%M.%S"), "2024-04-03T10:00:00");
     EXPECT_EQ(read("03.04.24", "dd.MM.yy HH:mm:ss"), "none");
     EXPECT_EQ(readStamp("05:30", "%M:%S")->nanoseconds, 330 * second);
+    EXPECT_EQ(readStamp("93000.5", "%H%M%S")->nanoseconds, 9 * hour + 1800 * second + 500'000'000);
+    EXPECT_EQ(readStamp("103000", "%H%M%S")->nanoseconds, 10 * hour + 1800 * second);
+    EXPECT_FALSE(readStamp("500", "%H%M%S"));  // five minutes past midnight, or five hours
 }
 
 TEST(TimeFormat, MayBeTheTimeBetweenTwoRows) {

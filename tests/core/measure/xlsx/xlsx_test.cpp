@@ -61,6 +61,34 @@ protected:
         std::filesystem::temp_directory_path() / ("analogon-xlsx-" + std::to_string(getpid()) + ".xlsx");
 };
 
+TEST_F(Xlsx, EachColumnOfNumbersWrittenAsTextHasItsMark) {
+    std::string rows = row(1, word("A1", "t [s]") + word("B1", "u [V]") + word("C1", "n [rpm]"));
+    const char* times[] = {"0.5", "1.5", "2.5"};
+    const char* volts[] = {"20,5", "21,25", "1.234,5"};
+    const char* speeds[] = {"0.500", "0.625", "1.000"};  // no thousands begin with a zero
+    for (int i = 0; i < 3; ++i) {
+        const std::string r = std::to_string(i + 2);
+        rows += row(i + 2, word("A" + r, times[i]) + word("B" + r, volts[i]) + word("C" + r, speeds[i]));
+    }
+    const Outcome<MeasurementFile> opened = open(rows);
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    EXPECT_THAT(numbers(*opened, 0, 0), ElementsAre(0.5, 1.5, 2.5));
+    EXPECT_THAT(numbers(*opened, 0, 1), ElementsAre(20.5, 21.25, 1234.5));
+    EXPECT_THAT(numbers(*opened, 0, 2), ElementsAre(0.5, 0.625, 1));
+}
+
+TEST_F(Xlsx, AMarkThatMayBeBothIsToldAndNotGuessed) {
+    std::string rows = row(1, word("A1", "t [s]") + word("B1", "n [rpm]"));
+    for (int i = 2; i < 6; ++i)
+        rows += row(i, number("A" + std::to_string(i), std::to_string(i)) + word("B" + std::to_string(i), "1.234"));
+    const Outcome<MeasurementFile> opened = open(rows);
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    EXPECT_EQ(opened->groups.at(0).channels.at(1).kind, ChannelKind::Text);
+    std::string notes;
+    for (const Text& note : opened->notes) notes += note.english();
+    EXPECT_THAT(notes, HasSubstr("write them as numbers"));
+}
+
 TEST_F(Xlsx, AHeaderAndARowOfUnitsStandAboveTheData) {
     const Outcome<MeasurementFile> opened =
         open(row(1, word("A1", "Bench 3")) + row(3, word("A3", "t") + word("B3", "p")) +
