@@ -114,6 +114,7 @@ void ImportPanel::layOut() {
     buttons->addWidget(progress_);
     buttons->addStretch(1);
     buttons->addWidget(cancel_);
+    buttons->addWidget(browser_->readButton());  // at hand however far the channels are scrolled
     buttons->addWidget(accept_);
     auto* telling = new QHBoxLayout;
     telling->addWidget(problems_, 1);
@@ -146,6 +147,15 @@ void ImportPanel::layOut() {
     layout->addLayout(telling);  // above the buttons: beside them a narrow window leaves it a word a line
     layout->addLayout(buttons);
     question_->hide();
+    showPage(view_);
+}
+
+void ImportPanel::showPage(QWidget* page) {
+    const bool isBrowsing = page == browser_;
+    pages_->setCurrentWidget(page);
+    browser_->readButton()->setVisible(isBrowsing);
+    accept_->setVisible(!isBrowsing);
+    if (isBrowsing) choose_->hide();  // there one chooses
 }
 
 void ImportPanel::connectFields() {
@@ -190,7 +200,7 @@ void ImportPanel::connectReading() {
     connect(&reader_, &JobRunner::finished, progress_, &QProgressBar::hide);
     connect(browser_, &ChannelBrowser::readWanted, this, [this] {
         chosen_ = browser_->chosen();
-        pages_->setCurrentWidget(view_);
+        showPage(view_);
         if (isText_)
             takeChosen();
         else
@@ -213,8 +223,7 @@ void ImportPanel::takeAnswer(const ReadOptions& options) {
 
 void ImportPanel::browse() {
     shown_->show();
-    pages_->setCurrentWidget(browser_);
-    choose_->hide();  // there one chooses
+    showPage(browser_);
     accept_->setEnabled(false);
     problems_->setPalette(palette());
     problems_->setText(told_ = tr("The file holds %1 channels. Tick those that are to be read; the others stay in it.")
@@ -256,7 +265,7 @@ void ImportPanel::read() {
     choose_->hide();
     question_->hide();
     shown_->show();
-    pages_->setCurrentWidget(view_);
+    showPage(view_);
     accept_->setEnabled(false);
     problems_->setText(tr("Reading …"));
     reader_.start<Look>(

@@ -61,6 +61,8 @@ private:
     /// Of a text that was read: the channels that were chosen.
     void takeChosen();
     void browse();
+    /// The table, or the channels to choose from.
+    void showPage(QWidget* page);
     /// What was read: the table, or the lines of a file that is none.
     struct Preview {
         Outcome<std::shared_ptr<const Table>> table;  // on one raster

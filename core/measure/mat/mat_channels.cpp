@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <set>
 
 #include "core/measure/counted_time.hpp"
 #include "core/measure/mat/mat_values.hpp"
@@ -299,6 +300,7 @@ private:
                 if (signal.isTime && timeOf(signal) == &signal) continue;
                 const Signal* time = timeOf(signal);
                 if ((time != nullptr) != wantsTime) continue;
+                if (time) tellOtherTimes(signal, *time);
                 // without a time, signals of one length are together
                 const std::string key = time ? signal.container : std::to_string(signal.place.count);
                 const auto [group, isNew] = known.try_emplace({key, time}, found_.groups.size());
@@ -328,7 +330,6 @@ private:
                 phrase("group \"{}\" has no time: its samples can only be counted", found_.groups.back().name));
             return;
         }
-        tellOtherTimes(signal, *time);
         found_.groups.back().master = MasterKind::Time;
         found_.groups.back().masterChannel = 0;
         put(found_.groups.size() - 1, *time, time->path);
@@ -337,10 +338,11 @@ private:
 
     /// Which of several times belongs to a signal nothing may tell.
     void tellOtherTimes(const Signal& signal, const Signal& time) {
-        if (&signal == &time || endOf(signal.name) == endOf(time.name)) return;
+        if (&signal == &time || endOf(signal.name) == endOf(time.name) || toldTimes_.contains(&time)) return;
         for (const Signal& other : signals_)
             if (&other != &time && other.isTime && other.container == time.container &&
                 other.place.count == time.place.count && timeOf(other) == &other) {
+                toldTimes_.insert(&time);
                 found_.notes.push_back(phrase("\"{}\" is taken for the time of \"{}\"; \"{}\" has as many values",
                                               time.path, signal.path, other.path));
                 return;
@@ -356,6 +358,7 @@ private:
     Channels found_;
     std::map<std::string, std::vector<std::string>> names_;
     std::vector<Signal> signals_;
+    std::set<const Signal*> toldTimes_;
     std::vector<std::string> others_;
 };
 

@@ -92,6 +92,9 @@ public:
                std::string name)
         : memory_(std::move(memory)), file_(std::move(file)), sources_(std::move(sources)), name_(std::move(name)) {}
 
+    const Object& objectOf(const Source& source) const { return file_.objects[source.object]; }
+    void setSources(std::vector<std::vector<Source>> sources) { sources_ = std::move(sources); }
+
     Outcome<std::vector<ChannelValues>> read(std::size_t group, std::span<const std::size_t> channels,
                                              const Progress& progress) const override {
         std::vector<ChannelValues> values;
@@ -203,8 +206,8 @@ public:
         if (recording_.groups.empty())
             return fileError(phrase("the file holds no channel with values"), recording_.file, 0, 0,
                              recording_.notes.empty() ? Text{} : recording_.notes.back());
-        auto reader = std::make_shared<TdmsReader>(memory_, std::move(file), sources_, recording_.file);
-        recording_.reader = reader;
+        reader_ = std::make_shared<TdmsReader>(memory_, std::move(file), sources_, recording_.file);
+        recording_.reader = reader_;
         for (std::size_t g = 0; g < recording_.groups.size(); ++g) findMaster(g);
         return std::move(recording_);
     }
@@ -231,12 +234,6 @@ private:
         channel.samples = samples;
         channel.isInteger = object.type >= Int8 && object.type <= Uint64 && Scaling(object).isNone();
         if (object.type == String || object.type == Timestamp) channel.kind = ChannelKind::Text;
-        if (isTimeOfDay(object)) {
-            channel.kind = ChannelKind::Number;
-            channel.unit = "s";
-            const Piece& first = object.pieces.front();
-            if (recording_.start.empty()) recording_.start = isoText(timePointAt(first.bytes, 0, first.isBigEndian));
-        }
         if (const Scaling scaling(object); !scaling.unreadable().empty()) {
             channel.unit.clear();  // of what the conversion would give
             recording_.notes.push_back(
@@ -245,7 +242,7 @@ private:
         }
         if (samples == 0) recording_.notes.push_back(phrase("channel \"{}\" has no samples", channel.name));
         recording_.groups[group].channels.push_back(std::move(channel));
-        sources_[group].push_back({index, false, isTimeOfDay(object), 0, 0, samples});
+        sources_[group].push_back({index, false, false, 0, 0, samples});
     }
 
     /// Channels with a step share a group with their like; the others with those of the same length, or an empty one.
@@ -271,6 +268,27 @@ private:
         return keys_.size() - 1;
     }
 
+    /// Where there are neither steps nor a channel of numbers that is the time, stamps that are called one are.
+    void addClock(std::size_t g) {
+        RecordedGroup& group = recording_.groups[g];
+        for (const Source& source : sources_[g]) {
+            const Object& object = reader_->objectOf(source);
+            if (!isTimeOfDay(object) || object.values() != group.samples) continue;
+            const std::vector<double> seconds = secondsSinceFirst(object);
+            if (!std::is_sorted(seconds.begin(), seconds.end())) continue;
+            const Piece& first = object.pieces.front();
+            if (recording_.start.empty()) recording_.start = isoText(timePointAt(first.bytes, 0, first.isBigEndian));
+            const Source clock{source.object, false, true, 0, 0, source.samples};
+            group.master = MasterKind::Time;
+            group.masterChannel = 0;
+            group.channels.insert(group.channels.begin(),
+                                  {"time", "s", {}, {}, ChannelKind::Number, static_cast<std::size_t>(source.samples)});
+            sources_[g].insert(sources_[g].begin(), clock);
+            reader_->setSources(sources_);
+            return;
+        }
+    }
+
     /// Without steps a rising channel in seconds, or one that is called time, is what the others are counted by.
     void findMaster(std::size_t g) {
         RecordedGroup& group = recording_.groups[g];
@@ -287,13 +305,15 @@ private:
             group.masterChannel = c;
             return;
         }
-        if (group.samples > 0)
+        addClock(g);
+        if (group.samples > 0 && !group.masterChannel)
             recording_.notes.push_back(
                 phrase("group \"{}\" has no time: its samples can only be counted", groupLabel(group, g)));
     }
 
     std::shared_ptr<const MappedFile> memory_;
     MeasurementFile recording_;
+    std::shared_ptr<TdmsReader> reader_;
     std::vector<std::tuple<std::string, double, double, std::uint64_t>> keys_;
     std::vector<std::vector<Source>> sources_;
 };

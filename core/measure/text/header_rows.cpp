@@ -203,17 +203,15 @@ std::vector<SampleRow> rowsAbove(const SampledRows& sample, HeaderRows& header) 
         const bool isApart = row.line.number + 1 < below;
         below = row.line.number;
         const bool isSettings = sample.begin < sample.end && isOfSettings(row, sample.rows[sample.begin]);
+        const bool isWhole = row.filled == 1 || sample.separator == ' ';
+        const auto pair = isWhole ? keyAndValue(row.line.text) : std::nullopt;
+        if (pair && isFactKey(pair->first)) break;  // "Rate: 10 Hz" above one column
         if (isKeyOfPreamble(row) || isSettings || (rows.empty() && isKeyWithNumbers(row))) {
             header.keys.push_back(row);
             continue;
         }
         if (rows.empty()) {
             if (row.filled == 1 && width > 1) break;  // a title
-            const auto pair = row.filled == 1 ? keyAndValue(row.cells[0].text) : std::nullopt;
-            if (pair && isFactKey(pair->first)) {  // "Rate: 10 Hz" above one column
-                header.keys.push_back(row);
-                continue;
-            }
         } else {
             const bool fits = row.filled > 1 && row.filled <= std::max(rows.back().cells.size(), width) + 2 &&
                               row.filled + 1 >= width;

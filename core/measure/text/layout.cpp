@@ -251,7 +251,10 @@ private:
 
     void readPreamble() {
         PreambleReader reader(layout_.columns.size(), layout_.marks.decimal.value_or('.'));
-        for (std::size_t i = 0; i < header_.first && i < rows_.rows.size(); ++i) reader.add(rows_.rows[i]);
+        for (std::size_t i = 0; i < header_.first && i < rows_.rows.size(); ++i) {
+            reader.add(rows_.rows[i]);
+            if (rows_.separator == ' ') reader.addComment(rows_.rows[i].line.text);  // "Rate: 10 Hz" is parted as well
+        }
         // those above the header are among the lines in front of it
         const bool hasHeader = header_.first < rows_.rows.size();
         for (auto row = header_.keys.rbegin(); row != header_.keys.rend(); ++row)  // from top to bottom

@@ -85,7 +85,7 @@ std::vector<std::pair<std::string, std::vector<std::size_t>>> rowsByKey(const Ra
     return rows;
 }
 
-Column rowsOf(const Column& from, const std::vector<std::size_t>& rows) {
+Column ownRows(const Column& from, const std::vector<std::size_t>& rows) {
     Column column{from.name, from.unit, {}, {}, from.header, from.line, from.position};
     for (const std::size_t row : rows) column.values.push_back(from.values[row]);
     column.blanks = blanksOf(column.values);
@@ -119,7 +119,7 @@ Outcome<std::vector<TextGroup>> channelsOf(const RawTable& raw, const NamedRows&
         group.name = name;
         group.table.file = raw.table.file;
         for (const std::size_t row : own) group.table.lines.push_back(raw.table.lines[row]);
-        group.table.columns = {rowsOf(raw.table.columns[time], own), rowsOf(raw.table.columns[*value], own)};
+        group.table.columns = {ownRows(raw.table.columns[time], own), ownRows(raw.table.columns[*value], own)};
         group.table.columns[1].name = name;
         if (units) {
             const WordSeries told = raw.words[*units].only(own);

@@ -6,19 +6,6 @@
 
 namespace analogon {
 
-Text hintOfLength(std::size_t found, std::size_t expected, char separator, bool hasHeader) {
-    Text hint = phrase("Every row needs one cell for each column of the header.");
-    if (found < expected && separator == ',' && hasHeader)
-        hint += phrase(" A name with a comma needs quotation marks.");
-    if (separator == ',' && found == 2 * expected)
-        hint = phrase(
-            "There are exactly twice as many: the commas seem to be decimal marks as well. Export with "
-            "decimal points, or with ; or a tab between the columns.");
-    else if (separator == ',' && found > expected)
-        hint += phrase(" If the commas are decimal marks, the columns must be separated by ; or a tab.");
-    return hint;
-}
-
 namespace {
 
 /// Whether the names of the columns stand again below, as where a program began a second recording in one file.
@@ -37,7 +24,27 @@ bool namesStandAgain(const Layout& layout, LineReader& behind) {
     return false;
 }
 
+Text standsAgain() {
+    return phrase("The header stands here again: split the file in front of this line, it holds two recordings.");
+}
+
 }  // namespace
+
+Text hintOfLength(std::size_t found, std::size_t expected, const Layout& layout, LineReader behind) {
+    if (namesStandAgain(layout, behind)) return standsAgain();
+    const char separator = layout.separator;
+    const bool hasHeader = layout.headerLine > 0;
+    Text hint = phrase("Every row needs one cell for each column of the header.");
+    if (found < expected && separator == ',' && hasHeader)
+        hint += phrase(" A name with a comma needs quotation marks.");
+    if (separator == ',' && found == 2 * expected)
+        hint = phrase(
+            "There are exactly twice as many: the commas seem to be decimal marks as well. Export with "
+            "decimal points, or with ; or a tab between the columns.");
+    else if (separator == ',' && found > expected)
+        hint += phrase(" If the commas are decimal marks, the columns must be separated by ; or a tab.");
+    return hint;
+}
 
 Text hintOfWord(const std::string& text, const Layout& layout, bool isBehindGap, LineReader behind) {
     const auto& columns = layout.columns;
@@ -46,7 +53,7 @@ Text hintOfWord(const std::string& text, const Layout& layout, bool isBehindGap,
     });
     Text hint = phrase("Only numbers can be read; leave the cell of an output empty where it was not measured.");
     if (isHeader || namesStandAgain(layout, behind))
-        hint = phrase("The header stands here again: split the file in front of this line, it holds two recordings.");
+        hint = standsAgain();
     else if (isBehindGap && kindOf(text) == CellKind::Words)
         hint = phrase(
             "Another table seems to begin here: keep one in the file, or export each recording to a file of its "

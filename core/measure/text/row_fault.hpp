@@ -9,7 +9,7 @@
 namespace analogon {
 
 /// A row of `found` cells below a header of `expected`.
-Text hintOfLength(std::size_t found, std::size_t expected, char separator, bool hasHeader);
+Text hintOfLength(std::size_t found, std::size_t expected, const Layout& layout, LineReader behind);
 
 /// A cell that is no number; `isBehindGap`: the row stands behind an empty line.
 Text hintOfWord(const std::string& text, const Layout& layout, bool isBehindGap, LineReader behind);

@@ -396,8 +396,7 @@ private:
         const int position = found > expected ? row.cells[expected].position : static_cast<int>(line_.text.size()) + 1;
         return fault(found == 1 ? phrase("this row has one cell, the header has {}", expected)
                                 : phrase("this row has {} cells, the header has {}", found, expected),
-                     line_.number, position, hintOfLength(found, expected, separator_, layout_.headerLine > 0),
-                     line_.text);
+                     line_.number, position, hintOfLength(found, expected, layout_, lines_), line_.text);
     }
 
     bool notANumber(const CsvCell& cell, const std::string& column) {

@@ -150,6 +150,8 @@ TEST_F(Tdms, StampsThatAreCalledATimeAreTheOneOfTheirGroup) {
     EXPECT_EQ(opened->groups[0].master, MasterKind::Time);
     EXPECT_EQ(opened->groups[0].channels[0].unit, "s");
     EXPECT_THAT(numbers(*opened, 0, 0), ElementsAre(0, 1.25, 2));
+    EXPECT_EQ(opened->groups[0].channels[1].kind, ChannelKind::Text) << "they stay as they are";
+    EXPECT_THAT(numbers(*opened, 0, 2), ElementsAre(1, 2, 3));
     EXPECT_EQ(opened->start, "2024-06-15T10:30:00.250Z");
 }
 
