@@ -20,6 +20,7 @@ namespace {
 
 constexpr int pollMilliseconds = 20;  // between two looks at whether to stop
 
+#ifndef __SANITIZE_ADDRESS__  // whose shadow is larger than any file
 /// [byte] of the address space of this process.
 double addressSpace() {
     unsigned long long pages = 0;
@@ -29,12 +30,13 @@ double addressSpace() {
     }
     return static_cast<double>(pages) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
+#endif
 
 void limit(const ApartLimits& limits) {
     const auto seconds = static_cast<rlim_t>(std::ceil(limits.seconds));
     const rlimit processor{seconds, seconds};
     setrlimit(RLIMIT_CPU, &processor);
-#ifndef __SANITIZE_ADDRESS__  // whose shadow is larger than any file
+#ifndef __SANITIZE_ADDRESS__
     const double before = addressSpace();
     if (!(before > 0) || !(limits.bytes < 1e18)) return;
     const auto bytes = static_cast<rlim_t>(before + limits.bytes);
