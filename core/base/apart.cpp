@@ -20,8 +20,7 @@ namespace {
 
 constexpr int pollMilliseconds = 20;  // between two looks at whether to stop
 
-#ifndef __SANITIZE_ADDRESS__  // whose shadow is larger than any file
-/// [byte] of the address space of this process.
+/// [byte] of the address space of this process, the shadow of a sanitizer included.
 double addressSpace() {
     unsigned long long pages = 0;
     if (std::FILE* const file = std::fopen("/proc/self/statm", "r")) {
@@ -30,19 +29,16 @@ double addressSpace() {
     }
     return static_cast<double>(pages) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
-#endif
 
 void limit(const ApartLimits& limits) {
     const auto seconds = static_cast<rlim_t>(std::ceil(limits.seconds));
     const rlimit processor{seconds, seconds};
     setrlimit(RLIMIT_CPU, &processor);
-#ifndef __SANITIZE_ADDRESS__
     const double before = addressSpace();
     if (!(before > 0) || !(limits.bytes < 1e18)) return;
     const auto bytes = static_cast<rlim_t>(before + limits.bytes);
     const rlimit memory{bytes, bytes};
     setrlimit(RLIMIT_AS, &memory);
-#endif
 }
 
 [[noreturn]] void workAndEnd(const std::function<std::string()>& work, const ApartLimits& limits, int out) {
