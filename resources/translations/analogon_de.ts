@@ -7832,8 +7832,8 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>mehrere Zeilen teilen sich einen Zeitstempel, und Spalte „{}“ unterscheidet sie: Es scheinen Zeilen mehrerer Kanäle zu sein</translation>
     </message>
     <message>
-        <source>Export one column a channel, or call the columns &quot;name&quot; and &quot;value&quot;.</source>
-        <translation>Für jeden Kanal eine Spalte exportieren, oder die Spalten „name“ und „value“ nennen.</translation>
+        <source>Export one column a channel, or call the columns &quot;{}&quot; and &quot;{}&quot;.</source>
+        <translation>Für jeden Kanal eine Spalte exportieren, oder die Spalten „{}“ und „{}“ nennen.</translation>
     </message>
     <message>
         <source>count days and some do not</source>

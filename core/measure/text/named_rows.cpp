@@ -164,7 +164,7 @@ Diagnostics tellMixedRows(const RawTable& raw, std::size_t time) {
                              "of several channels",
                              cited(raw.table.columns[i].name)),
                       raw.table.file, raw.table.lines.front(), 0,
-                      phrase("Export one column a channel, or call the columns \"name\" and \"value\"."))};
+                      phrase("Export one column a channel, or call the columns \"{}\" and \"{}\".", "name", "value"))};
     }
     return {};
 }
