@@ -14164,6 +14164,18 @@ Bitte den Namen prüfen.</translation>
 <context>
     <name>WindowWords</name>
     <message>
+        <source>{}: {}; give its column a scale of -1, and search again</source>
+        <translation>{}: {}; ihrer Spalte den Faktor -1 geben und erneut suchen</translation>
+    </message>
+    <message>
+        <source>Say it at the import, as the form of the time: %j:%H:%M:%S or %H:%M:%S:%f.</source>
+        <translation>Beim Einlesen als Form der Zeit sagen: %j:%H:%M:%S oder %H:%M:%S:%f.</translation>
+    </message>
+    <message>
+        <source>Say it at the import, as the form of the time: {} or s.</source>
+        <translation>Beim Einlesen als Form der Zeit sagen: {} oder s.</translation>
+    </message>
+    <message>
         <source>Use a part of the recordings (their range, or Trim above the traces), fewer of their columns or rows, a smaller model, or a machine with more memory.</source>
         <translation>Einen Teil der Aufzeichnungen verwenden (ihren Bereich, oder Zuschneiden über den Kurven), weniger ihrer Spalten oder Zeilen, ein kleineres Modell oder einen Rechner mit mehr Speicher.</translation>
     </message>

@@ -65,7 +65,8 @@ TEST(WindowWords, AreThereForEverySentenceThatTellsHowAStudyIsWrittenDown) {
         if (!speaksOfFile(QString::fromStdString(sentence))) continue;
         ++count;
         const char* const words = windowPattern(sentence);
-        ASSERT_TRUE(words) << sentence;
+        EXPECT_TRUE(words) << sentence;
+        if (!words) continue;
         const QString translated = german.translate("WindowWords", words, nullptr, -1);
         for (const QString& said : {QString::fromUtf8(words), translated})
             EXPECT_FALSE(speaksOfFile(said)) << said.toStdString();

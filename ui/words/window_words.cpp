@@ -134,6 +134,12 @@ const std::map<std::string_view, const char*>& windowSentences() {
          "it is not, UTC."},
         {"Say it in the study: \"read\": {{\"unit_names\": {{\"{}\": \"{}\"}}}}.",
          "Say it at the import, where it is asked: '{}' is '{}'."},
+        {"{}: {}; give the column \"scale\": -1 in the study, and search again",
+         "{}: {}; give its column a scale of -1, and search again"},
+        {"Say it in the study: \"read\": {{\"time_format\": \"%j:%H:%M:%S\"}} or \"%H:%M:%S:%f\".",
+         "Say it at the import, as the form of the time: %j:%H:%M:%S or %H:%M:%S:%f."},
+        {"Say it in the study: \"read\": {{\"time_format\": \"{}\"}} or {{\"time_format\": \"s\"}}.",
+         "Say it at the import, as the form of the time: {} or s."},
         {"Say it in the study: \"read\": {{\"time_format\": \"%H:%M\"}} or \"%M:%S\".",
          "Say it at the import, as the form of the time: %H:%M or %M:%S."},
         {"\"time_format\" is written as \"%d.%m.%Y %H:%M:%S\", or as the time between two rows: "
