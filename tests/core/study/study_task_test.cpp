@@ -305,8 +305,7 @@ TEST_F(StudyTask, NamesParametersThatCannotBeFitted) {
     Diagnostic fault = taskFault();
     EXPECT_EQ(fault.message, "the model 'Heater' has no parameter 'Cc'");
     EXPECT_EQ(fault.place.line, 11);
-    for (const auto& [name, reason] :
-         {std::pair("T", "a variable"), {"k", "declared final"}, {"n", "an Integer"}}) {
+    for (const auto& [name, reason] : {std::pair("T", "a variable"), {"k", "declared final"}, {"n", "an Integer"}}) {
         putHeater();
         change("\"C\": {", std::string("\"") + name + "\": {");
         EXPECT_THAT(taskFault().message, HasSubstr(reason));
