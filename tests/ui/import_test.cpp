@@ -24,6 +24,7 @@
 #include "ui/measurement/measurement_panel.hpp"
 #include "ui/measurement/question_card.hpp"
 #include "ui/measurement/read_fields.hpp"
+#include "ui/style/style.hpp"
 
 /// How a file comes into a study by the window: what it does not tell is asked.
 namespace analogon::ui {
@@ -87,6 +88,14 @@ TEST_F(Import, IsWholeInANarrowWindow) {
     ASSERT_TRUE(told);
     EXPECT_GT(2 * told->width(), import()->width()) << "a sentence, and not a word a line";
     EXPECT_GE(import()->findChild<QScrollArea*>()->height(), 8 * import()->fontMetrics().height());
+    const auto keepBoth = [this](const char* name) {
+        keepPicture(name);
+        style::apply(*qApp, style::Theme::Dark);
+        QTest::qWait(1);
+        keepPicture((std::string(name) + "-dark").c_str());
+        style::apply(*qApp, style::Theme::Light);
+    };
+    keepBoth("import-narrow");
     QByteArray text = "t";
     for (int c = 1; c <= 30; ++c) text += ";channel_" + QByteArray::number(c);
     for (int row = 0; row < 9; ++row) {
@@ -97,6 +106,7 @@ TEST_F(Import, IsWholeInANarrowWindow) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return import()->browser()->isVisible(); }, 20000));
     QTest::qWait(50);
     EXPECT_GT(import()->browser()->searchField()->width(), 150);
+    keepBoth("import-narrow-browser");
     for (const QPushButton* button : import()->findChildren<QPushButton*>())
         if (button->isVisible()) {
             EXPECT_GE(button->width(), button->minimumSizeHint().width()) << button->text().toStdString();
