@@ -76,8 +76,16 @@ constexpr std::array<std::pair<Encoding, std::string_view>, 4> wideMarks{
      {Encoding::Utf16LittleEndian, {"\xFF\xFE", 2}},
      {Encoding::Utf16BigEndian, {"\xFE\xFF", 2}}}};
 
+/// Of the bytes 0x80 to 0x9F of Windows-1252.
+constexpr std::array<std::uint16_t, 32> windowsLetters{0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
+                                                       0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0x8D,   0x017D, 0x8F,
+                                                       0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
+                                                       0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
+
+}  // namespace
+
 /// By its mark; without one by its zeros: every other byte of plain letters is one, or three of four are.
-Encoding wideOf(std::string_view bytes) {
+Encoding encodingOf(std::string_view bytes) {
     for (const auto& [encoding, mark] : wideMarks)
         if (bytes.starts_with(mark)) return encoding;
     const std::string_view head = bytes.substr(0, 256);
@@ -92,17 +100,7 @@ Encoding wideOf(std::string_view bytes) {
     return back == 0 && front >= 2 * many ? Encoding::Utf16BigEndian : Encoding::AsIs;
 }
 
-/// Of the bytes 0x80 to 0x9F of Windows-1252.
-constexpr std::array<std::uint16_t, 32> windowsLetters{0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
-                                                       0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0x8D,   0x017D, 0x8F,
-                                                       0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
-                                                       0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
-
-}  // namespace
-
-bool isWideText(std::string_view bytes) { return wideOf(bytes) != Encoding::AsIs; }
-
-Encoding encodingOf(std::string_view head) { return wideOf(head); }
+bool isWideText(std::string_view bytes) { return encodingOf(bytes) != Encoding::AsIs; }
 
 std::size_t unitBytes(Encoding encoding) {
     if (encoding == Encoding::Utf32LittleEndian || encoding == Encoding::Utf32BigEndian) return 4;

@@ -134,14 +134,8 @@ std::optional<LabelledText> withoutLabels(TextView text, std::string& store) {
     const Pattern pattern = patternOf(text);
     if (pattern.names.empty() && !pattern.hasFrames) return std::nullopt;
     LabelledText result{text, firstLines(text), pattern.names};
-    const auto change = [hasFrames = pattern.hasFrames](char* begin, char* end) { blankLabels(begin, end, hasFrames); };
-    if (text.supply) {
-        text.supply->changeLines(change);
-    } else {
-        store = text.text;
-        change(store.data(), store.data() + store.size());
-        result.text = std::string_view(store);
-    }
+    result.text = text.withLines(
+        [hasFrames = pattern.hasFrames](char* begin, char* end) { blankLabels(begin, end, hasFrames); }, store);
     return result;
 }
 

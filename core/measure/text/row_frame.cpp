@@ -146,20 +146,14 @@ std::optional<UnframedText> withoutFrames(TextView text, std::string& store) {
     if (!one) one = quotesChange(lines);
     if (!one) one = stampsChange(lines);
     if (!one) return std::nullopt;
-    const auto change = [change = std::move(*one)](char* begin, char* end) {
+    const auto changeEach = [change = std::move(*one)](char* begin, char* end) {
         LineReader reader(std::string_view(begin, static_cast<std::size_t>(end - begin)));
         for (TextLine line; reader.next(line);) {
             char* const at = begin + (line.text.data() - begin);
             change(at, at + line.text.size());
         }
     };
-    if (text.supply) {
-        text.supply->changeLines(change);
-    } else {
-        store = text.text;
-        change(store.data(), store.data() + store.size());
-        result.text = std::string_view(store);
-    }
+    result.text = text.withLines(changeEach, store);
     return result;
 }
 

@@ -3,7 +3,9 @@
 #include <concepts>
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <string_view>
+#include <utility>
 
 namespace analogon {
 
@@ -39,6 +41,17 @@ struct TextView {
         const std::string_view wanted = text.substr(0, most);
         while (supply && supply->loaded() < wanted.data() + wanted.size()) supply->loadMore();
         return wanted;
+    }
+    /// With its lines changed, their length stays: one with a supply where it is, as it is loaded; of another one
+    /// `store` holds the changed copy.
+    TextView withLines(std::function<void(char* begin, char* end)> change, std::string& store) const {
+        if (supply) {
+            supply->changeLines(std::move(change));
+            return *this;
+        }
+        store = text;
+        change(store.data(), store.data() + store.size());
+        return std::string_view(store);
     }
 };
 
