@@ -13,8 +13,6 @@ namespace analogon {
 namespace {
 
 constexpr std::array textAttributes{"unit", "displayUnit", "quantity"};
-constexpr std::array attributeNames{"unit",  "displayUnit", "quantity", "min",         "max",
-                                    "start", "fixed",       "nominal",  "stateSelect", "unbounded"};
 
 bool isText(std::string_view name) {
     return std::find(textAttributes.begin(), textAttributes.end(), name) != textAttributes.end();

@@ -423,7 +423,6 @@ bool Executor::store(const syntax::Expression& target, const Value& value, const
     return true;
 }
 
-/// Stores into a local value: `x`, `x[i]`, `r.a[2, :]`.
 namespace {
 
 /// One record of an array of them.
@@ -442,6 +441,7 @@ bool storeRecord(Value& array, std::size_t place, const Value& record) {
 
 }  // namespace
 
+/// Stores into a local value: `x`, `x[i]`, `r.a[2, :]`.
 bool Executor::storeIn(Value& target, const std::vector<syntax::NamePart>& parts, std::size_t part, const Value& value,
                        const Scope& scope, const Span& span) {
     const syntax::NamePart& here = parts[part];

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 namespace analogon {
 
@@ -98,10 +96,8 @@ namespace {
 
 /// The value of a record as a whole stands above what was said of its members before; attributes of a number stay.
 void forgetMembers(Modifier& modifier) {
-    constexpr std::array<std::string_view, 9> attributes{"start", "fixed",       "min",      "max",        "nominal",
-                                                         "unit",  "displayUnit", "quantity", "stateSelect"};
     for (auto& [name, child] : modifier.children) {
-        if (std::find(attributes.begin(), attributes.end(), name) != attributes.end()) continue;
+        if (std::find(attributeNames.begin(), attributeNames.end(), name) != attributeNames.end()) continue;
         if (!child.isFinal) child.value = {};
         forgetMembers(child);
     }

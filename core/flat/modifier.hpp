@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -11,6 +13,10 @@
 namespace analogon {
 
 struct Instance;
+
+/// Attributes of the predefined types (Modelica 3.6, section 4.9).
+inline constexpr std::array<std::string_view, 10> attributeNames{
+    "unit", "displayUnit", "quantity", "min", "max", "start", "fixed", "nominal", "stateSelect", "unbounded"};
 
 /// Where the names of an expression are looked up: components in the instance, classes and constants from the
 /// class in which the expression is written, outward.
