@@ -1,5 +1,7 @@
 #include "core/effect/reading/misread.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -9,6 +11,35 @@
 namespace analogon {
 
 using namespace threshold::mistakenUnit;
+
+std::optional<ChannelRow> channelRow(const Recording& recording, const std::string& channel) {
+    for (const bool isInput : {true, false}) {
+        const std::vector<std::string>& names = isInput ? recording.inputNames : recording.outputNames;
+        if (const auto at = std::find(names.begin(), names.end(), channel); at != names.end())
+            return ChannelRow{isInput, at - names.begin()};
+    }
+    return std::nullopt;
+}
+
+std::string columnBehind(const Recording& recording, const std::string& channel) {
+    const auto at = std::find_if(recording.units.begin(), recording.units.end(),
+                                 [&](const ChannelUnit& given) { return given.channel == channel; });
+    return at == recording.units.end() ? std::string() : at->column;
+}
+
+std::string nameWithColumn(const Recording& recording, const std::string& channel) {
+    const std::string column = columnBehind(recording, channel);
+    return column.empty() ? channel : fmt::format("{} ('{}')", channel, column);
+}
+
+std::vector<std::vector<int>> whereMisread(const EstimationTask& task) {
+    std::vector<int> all;
+    for (std::size_t r = 0; r < task.recordings.size(); ++r) all.push_back(static_cast<int>(r));
+    std::vector<std::vector<int>> where{all};
+    if (const std::vector<int> fitted = recordingsOf(task, Role::Fit); fitted.size() > 1)
+        for (const int one : fitted) where.push_back({one});
+    return where;
+}
 
 bool mayBeMisread(const NullModel& null) { return !isNoise(null) && excess(null) > leastEvidence; }
 

@@ -1,12 +1,33 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/effect/model/null_model.hpp"
 
 /// The recordings read otherwise than they say, beside the model as it stands: whether nothing but that is wrong.
 namespace analogon {
+
+/// Where the values of a channel stand in a recording.
+struct ChannelRow {
+    bool isInput{};
+    Eigen::Index row{};
+
+    auto of(Recording& r) const { return (isInput ? r.inputs : r.outputs).row(row); }
+    auto of(const Recording& r) const { return (isInput ? r.inputs : r.outputs).row(row); }
+};
+/// Nothing: the recording does not have it.
+std::optional<ChannelRow> channelRow(const Recording& recording, const std::string& channel);
+
+/// The column from which a channel was read; empty: that is not known.
+std::string columnBehind(const Recording& recording, const std::string& channel);
+/// "T_in ('TC1')", or without the column where it is not known.
+std::string nameWithColumn(const Recording& recording, const std::string& channel);
+
+/// Where recordings may be other than they say: in all, and, where several are fitted, in each of these alone.
+std::vector<std::vector<int>> whereMisread(const EstimationTask& task);
 
 /// Whether so much is left that another reading may be all there is to it.
 bool mayBeMisread(const NullModel& null);

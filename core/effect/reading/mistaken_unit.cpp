@@ -34,23 +34,14 @@ bool isAmong(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The row of a channel; nothing: it is none of these.
-std::optional<Eigen::Index> rowOf(const std::vector<std::string>& names, const std::string& channel) {
-    const auto at = std::find(names.begin(), names.end(), channel);
-    if (at == names.end()) return std::nullopt;
-    return at - names.begin();
-}
-
 void readAsLikely(Recording& recording, const MistakenUnit& mistake) {
     std::set<std::string> columns;  // whose start values are done: several channels may be read from one
     for (const ChannelUnit& given : recording.units) {
         if (!mistake.concerns(given)) continue;
         const std::optional<UnitConversion> again = rereading(given, mistake.likely);
         if (!again) continue;
-        if (const auto row = rowOf(recording.inputNames, given.channel))
-            recording.inputs.row(*row) = recording.inputs.row(*row).unaryExpr(*again).eval();
-        if (const auto row = rowOf(recording.outputNames, given.channel))
-            recording.outputs.row(*row) = recording.outputs.row(*row).unaryExpr(*again).eval();
+        if (const std::optional<ChannelRow> channel = channelRow(recording, given.channel))
+            channel->of(recording) = channel->of(recording).unaryExpr(*again).eval();
         if (!columns.insert(given.column).second) continue;
         for (RecordingStart& start : recording.starts)
             if (start.column == given.column) start.value = (*again)(start.value);
@@ -61,12 +52,6 @@ void readAsLikely(Recording& recording, const MistakenUnit& mistake) {
 /// several are fitted, in each alone.
 std::vector<MistakenUnit> possibleMistakes(const EstimationTask& task) {
     std::vector<MistakenUnit> mistakes;
-    const std::vector<int> fitted = recordingsOf(task, Role::Fit);
-    std::vector<int> all;
-    for (std::size_t r = 0; r < task.recordings.size(); ++r) all.push_back(static_cast<int>(r));
-    std::vector<std::vector<int>> where{all};
-    if (fitted.size() > 1)
-        for (const int one : fitted) where.push_back({one});
     const auto add = [&](const std::vector<int>& recordings, const std::vector<const ChannelUnit*>& given) {
         MistakenUnit mistake;
         mistake.recordings = recordings;
@@ -81,7 +66,7 @@ std::vector<MistakenUnit> possibleMistakes(const EstimationTask& task) {
             mistakes.back().likely = likely;
         }
     };
-    for (const std::vector<int>& recordings : where) {
+    for (const std::vector<int>& recordings : whereMisread(task)) {
         std::map<std::pair<std::string, std::string>, std::vector<const ChannelUnit*>> byColumn;
         std::map<std::string, std::vector<const ChannelUnit*>> byUnit;
         for (const int r : recordings)
@@ -153,8 +138,7 @@ Text channelWords(const EstimationTask& task, const MistakenUnit& mistake) {
     const Recording& first = task.recordings[static_cast<std::size_t>(mistake.recordings.front())];
     std::vector<std::string> names;
     for (const std::string& channel : mistake.channels)
-        for (const ChannelUnit& given : first.units)
-            if (given.channel == channel) names.push_back(fmt::format("{} ('{}')", channel, given.column));
+        if (!columnBehind(first, channel).empty()) names.push_back(nameWithColumn(first, channel));
     if (mistake.recordings.size() == task.recordings.size()) return listed(names);
     return phrase("{} in '{}'", listed(names), first.name);
 }

@@ -1,7 +1,5 @@
 #include "core/effect/reading/mistaken_wiring.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -11,31 +9,6 @@
 
 namespace analogon {
 namespace {
-
-/// Where the values of a channel stand in a recording.
-struct ChannelRow {
-    bool isInput{};
-    Eigen::Index row{};
-
-    auto of(Recording& r) const { return (isInput ? r.inputs : r.outputs).row(row); }
-    auto of(const Recording& r) const { return (isInput ? r.inputs : r.outputs).row(row); }
-};
-
-std::optional<ChannelRow> channelRow(const Recording& recording, const std::string& channel) {
-    for (const bool isInput : {true, false}) {
-        const std::vector<std::string>& names = isInput ? recording.inputNames : recording.outputNames;
-        if (const auto at = std::find(names.begin(), names.end(), channel); at != names.end())
-            return ChannelRow{isInput, at - names.begin()};
-    }
-    return std::nullopt;
-}
-
-/// The column from which a channel was read; empty: that is not known.
-std::string columnBehind(const Recording& recording, const std::string& channel) {
-    const auto at = std::find_if(recording.units.begin(), recording.units.end(),
-                                 [&](const ChannelUnit& given) { return given.channel == channel; });
-    return at == recording.units.end() ? std::string() : at->column;
-}
 
 /// Start values that were read from the first cell of a channel's column, beside what that holds now.
 void moveStarts(Recording& recording, const std::string& channel, double before, double after) {
@@ -93,13 +66,8 @@ std::vector<std::pair<std::string, std::string>> channelsIn(const EstimationTask
 /// Every channel with the other sign, and every two of one unit exchanged: in all recordings, and, where several are
 /// fitted, in each alone.
 std::vector<MistakenWiring> possibleWirings(const EstimationTask& task, const System& system) {
-    std::vector<int> all;
-    for (std::size_t r = 0; r < task.recordings.size(); ++r) all.push_back(static_cast<int>(r));
-    std::vector<std::vector<int>> where{all};
-    if (const std::vector<int> fitted = recordingsOf(task, Role::Fit); fitted.size() > 1)
-        for (const int one : fitted) where.push_back({one});
     std::vector<MistakenWiring> wirings;
-    for (const std::vector<int>& recordings : where) {
+    for (const std::vector<int>& recordings : whereMisread(task)) {
         const auto channels = channelsIn(task, system, recordings);
         for (auto one = channels.begin(); one != channels.end(); ++one) {
             wirings.push_back({recordings, {one->first}, {}});
@@ -187,11 +155,8 @@ EstimationTask readAsMeant(EstimationTask task, const MistakenWiring& mistake) {
 
 Text wiringWords(const EstimationTask& task, const MistakenWiring& mistake) {
     const Recording& first = task.recordings[static_cast<std::size_t>(mistake.recordings.front())];
-    const auto named = [&](const std::string& channel) {
-        const std::string column = columnBehind(first, channel);
-        return column.empty() ? channel : fmt::format("{} ('{}')", channel, column);
-    };
-    const std::string one = named(mistake.channels.front()), other = named(mistake.channels.back());
+    const std::string one = nameWithColumn(first, mistake.channels.front()),
+                      other = nameWithColumn(first, mistake.channels.back());
     const bool isEverywhere = mistake.recordings.size() == task.recordings.size();
     if (mistake.isOfSign())
         return isEverywhere ? phrase("{} seems to be recorded with the wrong sign", one)

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "tests/core/effect/driven_rotor.hpp"
 #include "tests/core/effect/warm_body.hpp"
 
 namespace analogon {
@@ -130,29 +131,6 @@ TEST(MistakenUnit, ConvertsAStartValueOnceHoweverManyChannelsAreReadFromItsColum
     EXPECT_NEAR(read.recordings[0].starts[0].value, 300, 0.1);
 }
 
-/// A rotor (J [kg.m2]) that a torque drives against a damper (b [N.m.s/rad]); its speed is measured.
-EstimationTask rotor(Recording recording) {
-    EstimationTask task = taskOf(R"(model Rotor
-  Analogon.Interfaces.RealInput tau(unit="N.m");
-  Analogon.Interfaces.RealOutput w(unit="rad/s");
-  Analogon.Sources.PrescribedTorque drive;
-  Analogon.Mechanics.Inertia rotor(J=1);
-  Analogon.Mechanics.ViscousLoad damper(b=0.05);
-  Analogon.Sensors.SpeedSensor sensor;
-equation
-  connect(tau, drive.tau);
-  connect(drive.flange, rotor.flange_a);
-  connect(rotor.flange_b, damper.flange);
-  connect(rotor.flange_b, sensor.flange);
-  connect(sensor.w, w);
-end Rotor;
-)",
-                                 "Rotor");
-    task.parameters = {{"rotor.J", "kg.m2", 1, 0.1, 10}, {"damper.b", "N.m.s/rad", 0.05, 0.005, 0.5}};
-    task.recordings = {std::move(recording)};
-    return task;
-}
-
 /// Numbers in deg/s that are told to be in rad/s.
 Recording turning() {
     Recording r = warmBodyRecording("run", samples);
@@ -171,7 +149,7 @@ Recording turning() {
 }
 
 TEST(MistakenUnit, NamesTheCommonerUnitFirstWhereParametersMakeUpForTheFactorBetweenTwo) {
-    const EstimationTask task = rotor(turning());
+    const EstimationTask task = drivenRotor(turning());
     const Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, {}, {});
     ASSERT_TRUE(null) << format(null.diagnostics());
     const std::optional<MistakenUnit> found = mistakenUnit(*null, {task, {}, {}}, {}, {});

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "tests/core/effect/driven_rotor.hpp"
 #include "tests/core/effect/hand_made.hpp"
 #include "tests/core/effect/heated_board.hpp"
 
@@ -65,23 +66,6 @@ TEST(MistakenWirings, ByASignAreToldWhereTheParametersCannotMakeUpForIt) {
 
 /// A rotor that a torque drives against a damper; its speed is measured with the opposite sign.
 EstimationTask turningTheOtherWay() {
-    EstimationTask task = taskOf(R"(model Rotor
-  Analogon.Interfaces.RealInput tau(unit="N.m");
-  Analogon.Interfaces.RealOutput w(unit="rad/s");
-  Analogon.Sources.PrescribedTorque drive;
-  Analogon.Mechanics.Inertia rotor(J=1);
-  Analogon.Mechanics.ViscousLoad damper(b=0.05);
-  Analogon.Sensors.SpeedSensor sensor;
-equation
-  connect(tau, drive.tau);
-  connect(drive.flange, rotor.flange_a);
-  connect(rotor.flange_b, damper.flange);
-  connect(rotor.flange_b, sensor.flange);
-  connect(sensor.w, w);
-end Rotor;
-)",
-                                 "Rotor");
-    task.parameters = {{"rotor.J", "kg.m2", 1, 0.1, 10}, {"damper.b", "N.m.s/rad", 0.05, 0.005, 0.5}};
     constexpr int samples = 300;
     Recording r = blankRecording("run", {"tau"}, {"w"}, samples);
     const Eigen::VectorXd noise = whiteNoise(samples);
@@ -96,8 +80,7 @@ end Rotor;
             w += 0.01 / 1.5 * ((1 - part) * torqueAt(k) + part * torqueAt(k + 1) - 0.08 * w);
         }
     }
-    task.recordings = {r};
-    return task;
+    return drivenRotor(std::move(r));
 }
 
 TEST(MistakenWirings, ByASignMayBeOfWhatDrivesOrOfWhatIsMeasured) {
