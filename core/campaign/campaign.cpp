@@ -22,7 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr const char* campaignFormat = "analogon-campaign-1";
 constexpr std::uint64_t largestCampaign = 16u << 20, largestTable = 1u << 30;  // [byte]
 
 struct Columns {

@@ -11,6 +11,8 @@
 /// A campaign as it is written down (contract, section 7): one study, and a table with a row for each unit.
 namespace analogon {
 
+inline constexpr const char* campaignFormat = "analogon-campaign-1";
+
 enum class CampaignCommand { Fit, Discover };
 const char* name(CampaignCommand command);  // "fit", "discover"
 

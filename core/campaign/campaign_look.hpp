@@ -17,18 +17,16 @@ struct UnitLook {
 };
 
 struct CampaignLook {
-    std::filesystem::path campaign;         // the file that the state names; empty: nothing was worked on here
     std::map<std::string, UnitLook> units;  // by name
     CampaignCounts counts;
 };
+
+/// The campaign.json that the state in `out` was made of. Faults: a state that cannot be read.
+Outcome<std::filesystem::path> campaignOf(const std::filesystem::path& out);
 
 /// The state of campaign.json in `out`; records that have not been written anew since `before` are taken from there. A
 /// directory that is not there, is empty, or holds something else tells of no unit. Faults: a state that cannot be
 /// read.
 Outcome<CampaignLook> lookAt(const std::filesystem::path& out, const CampaignLook& before = {});
-
-enum class CampaignFile { None, Campaign, State };
-/// Whether a file is a campaign as it is written down, or the state of one that was worked on; by what is in it.
-CampaignFile campaignFileKind(const std::filesystem::path& file);
 
 }  // namespace analogon

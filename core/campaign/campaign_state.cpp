@@ -17,13 +17,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view stateFormat = "analogon-campaign-state-1";
 
-bool isState(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::string begin(200, '\0');
-    stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-    return begin.find(stateFormat) != std::string::npos;
-}
-
 Outcome<DirectoryLock> lockOf(const fs::path& out) {
     std::error_code code;
     const Text hint = phrase("Give a new or an empty directory, or that of an earlier campaign.");
@@ -36,13 +29,27 @@ Outcome<DirectoryLock> lockOf(const fs::path& out) {
         return fileError(phrase("another run works on this campaign"), out.string(), 0, 0,
                          phrase("Wait until it has ended, or give another directory."));
     removeAbandoned(out, writingPrefix);  // of a run that was killed before it had written its state
-    if (!fs::is_empty(out, code) && !isState(out / "campaign.json"))
+    if (!fs::is_empty(out, code) && campaignFileKind(out / "campaign.json") != CampaignFile::State)
         return fileError(phrase("this directory holds something else than a campaign's results"), out.string(), 0, 0,
                          hint);
     return lock;
 }
 
 }  // namespace
+
+CampaignFile campaignFileKind(const fs::path& file) {
+    std::error_code code;
+    if (!fs::is_regular_file(file, code)) return CampaignFile::None;
+    std::ifstream stream(file, std::ios::binary);
+    std::string begin(4096, '\0');
+    stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    begin.resize(static_cast<std::size_t>(stream.gcount()));
+    const auto holds = [&](std::string_view format) {
+        return begin.find('"' + std::string(format) + '"') != std::string::npos;
+    };
+    if (holds(stateFormat)) return CampaignFile::State;
+    return holds(campaignFormat) ? CampaignFile::Campaign : CampaignFile::None;
+}
 
 const char* name(UnitState state) {
     switch (state) {
@@ -97,13 +104,8 @@ void CampaignState::end(std::size_t unit, UnitRecord record) {
 }
 
 CampaignCounts CampaignState::counts() const {
-    CampaignCounts counts{states_.size()};
-    for (const UnitState state : states_) {
-        counts.waiting += state == UnitState::Waiting;
-        counts.running += state == UnitState::Running;
-        counts.done += state == UnitState::Done;
-        counts.failed += state == UnitState::Failed;
-    }
+    CampaignCounts counts;
+    for (const UnitState state : states_) counts.add(state);
     return counts;
 }
 

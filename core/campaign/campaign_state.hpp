@@ -14,7 +14,20 @@ const char* name(UnitState state);  // "waiting", "running", "done", "failed"
 
 struct CampaignCounts {
     std::size_t units{}, waiting{}, running{}, done{}, failed{};
+
+    /// One unit more.
+    void add(UnitState state) {
+        ++units;
+        waiting += state == UnitState::Waiting;
+        running += state == UnitState::Running;
+        done += state == UnitState::Done;
+        failed += state == UnitState::Failed;
+    }
 };
+
+enum class CampaignFile { None, Campaign, State };
+/// Whether a file is a campaign as it is written down, or the state of one that was worked on; by what is in it.
+CampaignFile campaignFileKind(const std::filesystem::path& file);
 
 /// The directory of a campaign and how far its units are. The records in the units' folders are the truth; what
 /// campaign.json says is made of them, so whenever the program is ended the next run finds what is done.

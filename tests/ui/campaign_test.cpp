@@ -11,6 +11,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "tests/core/campaign/campaign_folder.hpp"
 #include "tests/ui/panels_fixture.hpp"
 #include "ui/campaign/campaign_window.hpp"
 #include "ui/campaign/units_model.hpp"
@@ -20,48 +21,26 @@
 namespace analogon::ui {
 namespace {
 
-/// A folder with a small study (a first-order lag of gain k), and units that differ in k.
-class CampaignInTheWindow : public Panels {
+/// Units of a small study that differ in its gain k.
+class CampaignInTheWindow : public Panels, protected CampaignFiles {
 protected:
     void SetUp() override {
         Panels::SetUp();
-        QDir(directory.path()).mkpath("lag");
-        write("lag/model.mo",
-              "model Lag\n  Analogon.Interfaces.RealInput u(unit=\"V\");\n"
-              "  Analogon.Interfaces.RealOutput y(unit=\"V\");\n  parameter Real k(unit=\"1\") = 1;\n"
-              "  parameter Real T(unit=\"s\") = 0.5;\n  Real x(unit=\"V\", start=0, fixed=true);\n"
-              "equation\n  T*der(x) = k*u - x;\n  y = x;\nend Lag;\n");
-        write("lag/study.json",
-              R"({"format": "analogon-study-1", "class": "Lag", "experiments": [{"name": "step", "role": "fit",
-                  "file": "step.csv", "time": "t", "inputs": {"u": "u"}, "outputs": {"y": "y"}}],
-                  "parameters": {"k": {"fit": true, "min": 0.1, "max": 100},
-                                 "T": {"fit": true, "min": 0.01, "max": 5}}})");
-        record("lag/step.csv", 1);
-        write("campaign.json", R"({"format": "analogon-campaign-1", "study": "lag", "units": "units.csv",
-            "command": "fit", "columns": {"unit": "serial", "files": {"step": "file"}, "attributes": ["supplier"]}})");
+        writeStudy(directory.path().toStdString());
+        campaign(R"({"unit": "serial", "files": {"step": "file"}, "attributes": ["supplier"]})");
     }
-    QString at(const QString& name) const { return directory.filePath(name); }
-    void write(const QString& name, const std::string& text) const {
-        std::ofstream(at(name).toStdString(), std::ios::binary) << text;
-    }
-    void record(const QString& name, double gain) const {
-        std::string text = "t [s],u [V],y [V]\n";
-        for (int i = 0; i <= 60; ++i)
-            text += std::to_string(0.05 * i) + ",1," +
-                    std::to_string(gain * (1 - std::exp(-0.05 * i / 0.4)) + 0.002 * std::sin(37.0 * i * i)) + "\n";
-        write(name, text);
-    }
+    QString path(const std::string& name) const { return QString::fromStdString(at(name).string()); }
     void units(int count) const {
         std::string table = "serial,file,supplier\n";
         for (int i = 0; i < count; ++i) {
             const std::string name = "U" + std::to_string(i);
-            record(QString::fromStdString(name + ".csv"), 1 + i);
+            record(name + ".csv", 1 + i, 0.4);
             table += name + "," + name + ".csv," + (i % 2 ? "B" : "A") + "\n";
         }
         write("units.csv", table + "broken,missing.csv,A\n");
     }
-    CampaignWindow& openCampaign(const QString& file = "campaign.json") {
-        window.open(at(file));
+    CampaignWindow& openCampaign(const std::string& file = "campaign.json") {
+        window.open(path(file));
         auto* campaign = window.findChild<CampaignWindow*>();
         EXPECT_TRUE(campaign && campaign->isVisible());
         campaign->process().setProgram(ANALOGON_CLI);
@@ -90,7 +69,7 @@ protected:
 TEST_F(CampaignInTheWindow, IsStartedWatchedAndTheStudyOfAUnitOpenedFromItsRow) {
     units(3);
     CampaignWindow& campaign = openCampaign();
-    EXPECT_EQ(campaign.outField()->text(), at("results"));
+    EXPECT_EQ(campaign.outField()->text(), path("results"));
     EXPECT_EQ(rowsIn(campaign, "waiting"), 4);
     EXPECT_FALSE(campaign.pageButton()->isEnabled());
     QTest::mouseClick(campaign.startButton(), Qt::LeftButton);
@@ -104,7 +83,7 @@ TEST_F(CampaignInTheWindow, IsStartedWatchedAndTheStudyOfAUnitOpenedFromItsRow) 
     EXPECT_EQ(cell(campaign, 1, UnitsModel::FirstAttribute), "B");
     EXPECT_EQ(campaign.bar()->value(), 4);
     EXPECT_TRUE(campaign.pageButton()->isEnabled());
-    EXPECT_TRUE(QFileInfo::exists(at("results/results.csv")));
+    EXPECT_TRUE(QFileInfo::exists(path("results/results.csv")));
 
     campaign.chooseUnit("U2");
     EXPECT_TRUE(campaign.openReportButton()->isEnabled());
@@ -134,8 +113,7 @@ TEST_F(CampaignInTheWindow, IsStoppedAndGoesOnWhereItWas) {
 
 TEST_F(CampaignInTheWindow, ThatIsFaultySaysWhyAndCannotBeStarted) {
     units(1);
-    write("campaign.json", R"({"format": "analogon-campaign-1", "study": "lag", "units": "units.csv",
-        "command": "fit", "columns": {"unit": "serial", "files": {"stop": "file"}}})");
+    campaign(R"({"unit": "serial", "files": {"stop": "file"}})");
     CampaignWindow& campaign = openCampaign();
     EXPECT_TRUE(campaign.told()->text().contains("\"stop\"")) << campaign.told()->text().toStdString();
     EXPECT_TRUE(campaign.told()->text().contains("Did you mean \"step\"?"));
@@ -181,9 +159,32 @@ TEST_F(CampaignInTheWindow, IsFoundFromTheDirectoryOfItsResults) {
         QTest::qWait(1);
     }
     CampaignWindow& again = openCampaign("results/campaign.json");
-    EXPECT_EQ(again.fileField()->text(), at("campaign.json"));
-    EXPECT_EQ(again.outField()->text(), at("results"));
+    EXPECT_EQ(again.fileField()->text(), path("campaign.json"));
+    EXPECT_EQ(again.outField()->text(), path("results"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return rowsIn(again, "done") == 2; }, 10000));
+}
+
+TEST_F(CampaignInTheWindow, ShowsTheDirectoryThatWasNamedLast) {
+    units(2);
+    CampaignWindow& campaign = openCampaign();
+    campaign.startButton()->click();
+    ASSERT_TRUE(waitUntilEnded(campaign, 2));
+    for (const char* place : {"nowhere", "results"}) {  // the second while the first is looked at
+        campaign.outField()->setText(path(place));
+        Q_EMIT campaign.outField()->editingFinished();
+    }
+    QTest::qWait(500);
+    EXPECT_EQ(rowsIn(campaign, "done"), 2);
+}
+
+TEST_F(CampaignInTheWindow, IsNotStartedByEnterInAField) {
+    units(1);
+    CampaignWindow& campaign = openCampaign();
+    for (QLineEdit* field : {campaign.filterField(), campaign.outField(), campaign.fileField()}) {
+        field->setFocus();
+        QTest::keyClick(field, Qt::Key_Return);
+        EXPECT_FALSE(campaign.process().isRunning()) << field->accessibleName().toStdString();
+    }
 }
 
 TEST_F(CampaignInTheWindow, AtWorkAsksBeforeItsWindowIsClosed) {
@@ -207,7 +208,7 @@ TEST_F(CampaignInTheWindow, AtWorkAsksBeforeItsWindowIsClosed) {
 TEST_F(CampaignInTheWindow, WithoutItsProgramSaysWhatIsMissing) {
     units(1);
     CampaignWindow& campaign = openCampaign();
-    campaign.process().setProgram(at("nothing-there"));
+    campaign.process().setProgram(path("nothing-there"));
     campaign.startButton()->click();
     ASSERT_TRUE(QTest::qWaitFor([&] { return isTold(campaign); }, 10000));
     EXPECT_EQ(campaign.startButton()->text(), "Start");

@@ -61,19 +61,22 @@ public Q_SLOTS:
 private:
     /// A campaign that was read, with its study.
     struct Opened {
+        std::string file, out;  // campaign.json as it is written; the results, where that was told
         std::shared_ptr<const Campaign> campaign;
         std::shared_ptr<const CampaignTemplate> study;
         Diagnostics faults;  // why not
     };
-    static Opened read(const std::string& file);
+    static Opened read(std::string file);
 
     QLayout* placeFields();
     QLayout* runFields();
     QLayout* rowButtons();
     QWidget* withButton(QLineEdit* field, const QString& text, const char* name, void (CampaignWindow::*ask)());
+    void setWidths();
     void askForFile();
     void askForPlace();
     void showOpened(Opened opened);
+    void lookAgain();
     void look();
     void showLook(const CampaignLook& found);
     void showCounts(const CampaignProgress& progress);
@@ -92,6 +95,8 @@ private:
     QString asked_;  // the campaign that was opened last, also where it is faulty
     Opened opened_;
     std::shared_ptr<const CampaignLook> look_;
+    QString lookedAt_;    // the directory of that
+    bool isLookStale_{};  // begun before what it is to show
     UnitsModel* model_;
     QSortFilterProxyModel* sorted_;
     QLineEdit *file_, *out_, *clusterOptions_, *filter_;

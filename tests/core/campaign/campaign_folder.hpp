@@ -9,13 +9,9 @@
 namespace analogon {
 
 /// A folder with a small study (a first-order lag of gain k) and what a campaign of it needs.
-class CampaignFolder : public testing::Test {
-protected:
-    void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = std::filesystem::temp_directory_path() /
-                  ("analogon-campaign-" + std::string(test->name()) + std::to_string(getpid()));
-        std::filesystem::remove_all(folder_);
+struct CampaignFiles {
+    void writeStudy(const std::filesystem::path& folder) {
+        folder_ = folder;
         std::filesystem::create_directories(folder_ / "lag");
         write("lag/model.mo",
               "model Lag\n  Analogon.Interfaces.RealInput u(unit=\"V\");\n"
@@ -29,7 +25,6 @@ protected:
                                  "T": {"fit": true, "min": 0.01, "max": 5}}})");
         record("lag/step.csv", 1, 0.5);
     }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
 
     std::filesystem::path at(const std::string& name) const { return folder_ / name; }
     void write(const std::string& name, const std::string& text) const {
@@ -55,6 +50,19 @@ protected:
     }
 
     std::filesystem::path folder_;
+};
+
+class CampaignFolder : public testing::Test, protected CampaignFiles {
+protected:
+    void SetUp() override {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        const std::filesystem::path folder =
+            std::filesystem::temp_directory_path() /
+            ("analogon-campaign-" + std::string(test->name()) + std::to_string(getpid()));
+        std::filesystem::remove_all(folder);
+        writeStudy(folder);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
 };
 
 }  // namespace analogon
