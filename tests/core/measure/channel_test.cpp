@@ -7,13 +7,13 @@
 
 #include "core/measure/text/text_recording.hpp"
 
-using namespace analogon;
+namespace analogon {
+namespace {
+
 using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
-
-namespace {
 
 Table table(std::string_view text) {
     Outcome<Table> out = textTables(text, "run.csv");
@@ -33,8 +33,6 @@ Diagnostic faultOf(const Outcome<T>& outcome) {
     EXPECT_FALSE(outcome.hasValue());
     return outcome ? Diagnostic{} : outcome.diagnostics().front();
 }
-
-}  // namespace
 
 TEST(Channel, ConvertsToTheUnitOfTheModel) {
     const Table file = table("t [s],T [degC],I [mA],duty [%],n [rpm]\n0,20,1500,50,60\n");
@@ -227,3 +225,6 @@ TEST(Channel, TellsThatANameEndsInAnotherUnitThanTheModels) {
     scaled.scale = 0.001;
     EXPECT_TRUE(readChannel(file, scaled, "A").diagnostics().empty()) << "whoever scales knows the unit";
 }
+
+}  // namespace
+}  // namespace analogon

@@ -13,11 +13,11 @@
 #include "core/measure/table.hpp"
 #include "core/measure/text/text_recording.hpp"
 
-using namespace analogon;
+namespace analogon {
+namespace {
+
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-namespace {
 
 Table read(std::string_view text, const ReadOptions& options = {}) {
     Outcome<Table> table = textTables(text, "test.csv", options);
@@ -30,8 +30,6 @@ Diagnostic faultOf(std::string_view text) {
     EXPECT_FALSE(table.hasValue());
     return table ? Diagnostic{} : table.diagnostics().front();
 }
-
-}  // namespace
 
 TEST(Csv, ReadsNamesUnitsAndValues) {
     const Table table = read("t [s],T_exhaust [degC],u\n0,18.05,1\n0.5,-2e1,2\n");
@@ -302,3 +300,6 @@ TEST(Csv, SaysBeforeReadingThatThereIsNoMemoryForIt) {
     EXPECT_THAT(fault.message.english(), HasSubstr("rows and 2 columns would take"));
     EXPECT_EQ(fault.place.file, "test.csv");
 }
+
+}  // namespace
+}  // namespace analogon

@@ -17,7 +17,7 @@ ReportContext context() { return {"study", "discover", "1"}; }
 TEST(ReportHead, IsOfNoByteWhereNothingIsTold) {
     EXPECT_EQ(headHtml({}, "study", {}), "");
     EXPECT_EQ(headStyle({}), "");
-    const std::string page = reportHtml(analogon::testing::sampleFinding(), context());
+    const std::string page = reportHtml(analogon::test::sampleFinding(), context());
     for (const char* part : {"class=\"head\"", ".head ", "class=\"logo\"", "class=\"diagrams\"", ".diagram"})
         EXPECT_THAT(page, Not(HasSubstr(part)));
 }
@@ -26,7 +26,7 @@ TEST(ReportHead, TellsTitleTestObjectAuthorDateAndLogo) {
     ReportContext told = context();
     told.head = {"Pump <A>", "Sample \"7\" & 8", "E. Noether", "12 March 2026", "logo.svg", {}};
     told.logoUri = "data:image/svg+xml;base64,PHN2Zy8+";
-    const std::string page = reportHtml(analogon::testing::sampleFinding(), told);
+    const std::string page = reportHtml(analogon::test::sampleFinding(), told);
     EXPECT_THAT(page, HasSubstr("<title>Pump &lt;A&gt; – Analogon</title>"));
     EXPECT_THAT(page, HasSubstr("<h1>Pump &lt;A&gt;</h1>"));
     EXPECT_THAT(page, HasSubstr("<dt>Test object</dt><dd>Sample &quot;7&quot; &amp; 8</dd>"));
@@ -39,14 +39,14 @@ TEST(ReportHead, TellsTitleTestObjectAuthorDateAndLogo) {
 TEST(ReportHead, WithoutATitleLeavesTheStudysNameAndSaysItOnce) {
     ReportContext told = context();
     told.head.author = "E. Noether";
-    const std::string page = reportHtml(analogon::testing::sampleFinding(), told);
+    const std::string page = reportHtml(analogon::test::sampleFinding(), told);
     EXPECT_THAT(page, HasSubstr("<h1>study</h1>"));
     EXPECT_THAT(page, Not(HasSubstr("<dt>Study</dt>")));
     EXPECT_THAT(page, Not(HasSubstr("<img")));
 }
 
 TEST(ReportHead, LeavesOutEachSectionThatIsNotWanted) {
-    const Finding finding = analogon::testing::sampleFinding();
+    const Finding finding = analogon::test::sampleFinding();
     const std::string all = reportHtml(finding, context());
     const std::pair<ReportSection, const char*> heads[] = {
         {ReportSection::Errors, "How well the model follows"}, {ReportSection::Effects, "that was missing</h2>"},
@@ -67,10 +67,10 @@ TEST(ReportHead, LeavesOutEachSectionThatIsNotWanted) {
 TEST(ReportHead, LeavesOutTheDiagramsAsAnyOtherSection) {
     ReportContext told = context();
     told.diagrams = DiagramPair{};
-    EXPECT_THAT(reportHtml(analogon::testing::sampleFinding(), told), HasSubstr("The model before and after"));
+    EXPECT_THAT(reportHtml(analogon::test::sampleFinding(), told), HasSubstr("The model before and after"));
     told.head.leftOut = {ReportSection::Diagram};
-    EXPECT_EQ(reportHtml(analogon::testing::sampleFinding(), told),
-              reportHtml(analogon::testing::sampleFinding(), context()));
+    EXPECT_EQ(reportHtml(analogon::test::sampleFinding(), told),
+              reportHtml(analogon::test::sampleFinding(), context()));
 }
 
 }  // namespace

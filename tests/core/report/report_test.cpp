@@ -10,12 +10,12 @@
 #include "core/report/words.hpp"
 #include "sample_finding.hpp"
 
-using namespace analogon;
-using analogon::testing::sampleFinding;
+namespace analogon {
+namespace {
+
+using analogon::test::sampleFinding;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-namespace {
 
 const ReportContext discoverContext{"Sensor <1>", "discover", "1.2.3"};
 
@@ -27,12 +27,10 @@ std::size_t occurrences(const std::string& text, const std::string& what) {
 
 Finding fitOnly() {
     Finding finding;
-    finding.baseline = analogon::testing::sampleState(0.02);
+    finding.baseline = analogon::test::sampleState(0.02);
     finding.final = finding.baseline;
     return finding;
 }
-
-}  // namespace
 
 TEST(ReportJson, HasTheShapeOfTheFormat) {
     const auto json = nlohmann::json::parse(reportJson(sampleFinding(), discoverContext));
@@ -193,7 +191,7 @@ TEST(ReportHtml, StaysSmallForLongRecordings) {
     experiment.time.clear();
     for (int k = 0; k < 200000; ++k) experiment.time.push_back(k * 1e-3);
     experiment.outputs.resize(1);
-    experiment.outputs[0] = analogon::testing::sampleOutput(experiment.time, 0.1, 0.1);
+    experiment.outputs[0] = analogon::test::sampleOutput(experiment.time, 0.1, 0.1);
     finding.baseline.experiments.resize(1);
     finding.final = finding.baseline;
     EXPECT_LT(reportHtml(finding, {"x", "fit", "1"}).size(), 120000u);
@@ -425,3 +423,6 @@ TEST(Reports, TellsTheFlowThatNobodyMeasured) {
         EXPECT_NE(text.find("a flow of 0.8 W (root mean square) at block.port that nobody measured"),
                   std::string::npos);
 }
+
+}  // namespace
+}  // namespace analogon

@@ -6,7 +6,7 @@
 #include "core/effect/catalogue/finding.hpp"
 
 /// A made-up search on a heated sensor, with every part of a finding filled in.
-namespace analogon::testing {
+namespace analogon::test {
 
 inline OutputState sampleOutput(const std::vector<double>& time, double modelError, double noise, double gain = 1,
                                 double rest = 0) {
@@ -140,4 +140,4 @@ inline Finding sampleFinding() {
     return finding;
 }
 
-}  // namespace analogon::testing
+}  // namespace analogon::test

@@ -5,19 +5,17 @@
 
 #include <cmath>
 
-using namespace analogon;
+namespace analogon {
+namespace {
+
 using ::testing::ElementsAre;
 using ::testing::Not;
-
-namespace {
 
 std::vector<double> times(int count) {
     std::vector<double> time;
     for (int i = 0; i < count; ++i) time.push_back(0.1 * i);
     return time;
 }
-
-}  // namespace
 
 TEST(Thinning, KeepsShortTracesWhole) {
     EXPECT_THAT(thinned(times(3), Eigen::Vector3d(1, 2, 3), 100), ElementsAre(0, 1, 2));
@@ -139,3 +137,6 @@ TEST(ProfilePlot, MarksTheIntervalAndSaysWhichSideIsOpen) {
 }
 
 TEST(Html, IsEscaped) { EXPECT_EQ(escapeHtml("a<b>&\"'\x01"), "a&lt;b&gt;&amp;&quot;&#39;\\u{1}"); }
+
+}  // namespace
+}  // namespace analogon

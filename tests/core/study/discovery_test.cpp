@@ -93,7 +93,7 @@ end Drive;
 )";
 }
 
-class Discovery : public testing::StudyTest {
+class Discovery : public test::StudyTest {
 protected:
     /// The recording of the study, to be filled.
     std::ofstream recording(const std::string& header, const std::string& file = "run.csv") const {

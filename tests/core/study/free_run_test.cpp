@@ -10,7 +10,7 @@
 namespace analogon {
 namespace {
 
-class FreeRun : public testing::StudyTest {
+class FreeRun : public test::StudyTest {
 protected:
     static Study studyOf(const std::string& text) {
         Study study;

@@ -10,13 +10,13 @@
 #include "mdf_recording.hpp"
 #include "study_fixture.hpp"
 
-using namespace analogon;
+namespace analogon {
+namespace {
+
 using ::testing::AnyOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-namespace {
 
 std::shared_ptr<const Table> tableOf(const std::string& text, const std::string& name = "run.csv") {
     Outcome<Table> table = textTables(text, name);
@@ -76,9 +76,7 @@ EstimationTask taskOf(const Study& study) {
     return task ? *task : EstimationTask{};
 }
 
-}  // namespace
-
-using GenerateFiles = analogon::testing::StudyTest;
+using GenerateFiles = analogon::test::StudyTest;
 
 TEST(Generate, ComposesAHeatedSensor) {
     const GeneratedStudy made = generated({"electric-thermal", "thermal-fluid"}, {lambdaTable()});
@@ -230,7 +228,7 @@ TEST_F(GenerateFiles, AreAStudyThatReadsBack) {
 
 TEST_F(GenerateFiles, TakeAnMdfFileWithSeveralRasters) {
     const Table table = *lambdaTable();
-    std::vector<analogon::testing::MdfGroup> groups{{"outputs", {}}, {"inputs", {}}};
+    std::vector<analogon::test::MdfGroup> groups{{"outputs", {}}, {"inputs", {}}};
     const Column& time = table.columns.front();
     std::vector<double> twice;  // the inputs are sampled twice as often
     for (std::size_t k = 0; k + 1 < time.values.size(); ++k)
@@ -251,7 +249,7 @@ TEST_F(GenerateFiles, TakeAnMdfFileWithSeveralRasters) {
         values.push_back(column.values.back());
         groups[1].channels.push_back({column.name, column.unit, values});
     }
-    analogon::testing::putMdf(directory_ / "lambda.mf4", groups);
+    analogon::test::putMdf(directory_ / "lambda.mf4", groups);
     const Outcome<Table> read = readTable(directory_ / "lambda.mf4");
     ASSERT_TRUE(read.hasValue()) << format(read.diagnostics());
     const GeneratedStudy made =
@@ -318,3 +316,6 @@ TEST(StartGuess, UsesUsualValuesWithoutData) {
     EXPECT_GT(guess.value, guess.min);
     EXPECT_LT(guess.value, guess.max);
 }
+
+}  // namespace
+}  // namespace analogon

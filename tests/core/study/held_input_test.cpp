@@ -96,7 +96,7 @@ TEST(HeldInputOfAStudy, AnotherRasterKeepsWhatItDelivers) {
 
 /// A motor of which the current follows at once: J*der(w) = k/R*(v - k*w) - b*w, with the true values J = 2e-4 and
 /// b = 1e-4, sampled every 50 ms.
-class HeldMotor : public testing::StudyTest {
+class HeldMotor : public test::StudyTest {
 protected:
     static constexpr int count = 500;
     static constexpr double interval = 0.05;

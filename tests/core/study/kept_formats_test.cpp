@@ -4,8 +4,7 @@
 
 /// Studies as version 1.0 wrote them (docs/compatibility.md): the text below is never changed, later members get a text
 /// of their own.
-using namespace analogon;
-
+namespace analogon {
 namespace {
 
 using Json = nlohmann::json;
@@ -53,8 +52,6 @@ constexpr const char* studyOf10 = R"({
                        : ::testing::AssertionFailure() << at << ": " << now.dump() << " for " << kept.dump();
 }
 
-}  // namespace
-
 TEST(KeptFormats, AStudyOfVersion10IsReadWithoutARemarkAndWrittenWithAllThatItSaid) {
     const Outcome<Study> study = parseStudyJson(std::make_shared<const Source>("study.json", studyOf10));
     ASSERT_TRUE(study.hasValue()) << format(study.diagnostics());
@@ -71,3 +68,6 @@ TEST(KeptFormats, WhatANewerVersionWroteBesideIsKeptAndTold) {
     EXPECT_EQ(study.diagnostics().size(), 2u);
     EXPECT_TRUE(holds(Json::parse(studyJson(*study)), newer, ""));
 }
+
+}  // namespace
+}  // namespace analogon

@@ -3,10 +3,12 @@
 #include "core/study/run.hpp"
 #include "study_fixture.hpp"
 
-using namespace analogon;
+namespace analogon {
+namespace {
+
 using ::testing::HasSubstr;
 
-class LeftOutTest : public analogon::testing::StudyTest {
+class LeftOutTest : public analogon::test::StudyTest {
 protected:
     void SetUp() override {
         StudyTest::SetUp();
@@ -73,3 +75,6 @@ TEST_F(LeftOutTest, WhatWasLeftOutComesBackToItsPlace) {
     EXPECT_EQ(completed.experiments[2].name, "behind");
     EXPECT_EQ(completed.experiments[2].outputs.at("i").column, "nowhere");
 }
+
+}  // namespace
+}  // namespace analogon

@@ -2,10 +2,12 @@
 
 #include "study_fixture.hpp"
 
-using namespace analogon;
+namespace analogon {
+namespace {
+
 using ::testing::HasSubstr;
 
-class MarkedPartTest : public analogon::testing::StudyTest {
+class MarkedPartTest : public analogon::test::StudyTest {
 protected:
     void SetUp() override {
         StudyTest::SetUp();
@@ -53,3 +55,6 @@ TEST_F(MarkedPartTest, ARunOnAllSaysNothing) {
     EXPECT_EQ(forWhole(std::move(*run), whole, markedPart(whole, {"warm-up", "second"})).finding.warnings.size(),
               before);
 }
+
+}  // namespace
+}  // namespace analogon

@@ -5,7 +5,7 @@
 
 #include "../measure/mdf/mdf4_writer.hpp"
 
-namespace analogon::testing {
+namespace analogon::test {
 
 /// A channel of a group; whole: bytes, that are a state.
 struct MdfChannel {
@@ -53,4 +53,4 @@ inline void putMdf(const std::filesystem::path& file, const std::vector<MdfGroup
     writer.finish(next, file);
 }
 
-}  // namespace analogon::testing
+}  // namespace analogon::test

@@ -13,13 +13,13 @@
 namespace analogon {
 namespace {
 
+using test::putMdf;
 using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsNan;
 using ::testing::Not;
 using ::testing::Pointwise;
-using testing::putMdf;
 
 Outcome<Study> withExperiment(const std::string& members) {
     return parseStudyJson(std::make_shared<const Source>(
@@ -106,7 +106,7 @@ TEST(RecordedStudy, SaysWhereSomethingElseWasExpected) {
     }
 }
 
-class RecordedFiles : public testing::StudyTest {
+class RecordedFiles : public test::StudyTest {
 protected:
     void putStudy(const std::string& experiment) const {
         putHeater();
@@ -289,7 +289,7 @@ TEST_F(RecordedFiles, ToldReadingOfABinaryFileIsSaidToHaveNoEffect) {
 }
 
 /// A shaft on which dry friction is missing in the model: J*der(w) = u - 0.05*sign(w), J = 0.02.
-class RecordedShaft : public testing::StudyTest {
+class RecordedShaft : public test::StudyTest {
 protected:
     static constexpr int count = 1201;
     static constexpr double interval = 0.02;

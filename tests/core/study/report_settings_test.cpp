@@ -5,16 +5,16 @@
 #include "core/study/results.hpp"
 #include "study_fixture.hpp"
 
-using namespace analogon;
+namespace analogon {
+namespace {
+
 using ::testing::HasSubstr;
 using ::testing::Not;
 namespace fs = std::filesystem;
 
-namespace {
-
 constexpr const char* svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"9\" height=\"9\"/>";
 
-class ReportSettings : public analogon::testing::StudyTest {
+class ReportSettings : public analogon::test::StudyTest {
 protected:
     void SetUp() override {
         StudyTest::SetUp();
@@ -189,3 +189,4 @@ end Heater;
 }
 
 }  // namespace
+}  // namespace analogon

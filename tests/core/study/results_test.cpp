@@ -8,13 +8,13 @@
 #include "tests/kills.hpp"
 #include "tests/tree.hpp"
 
-using namespace analogon;
+namespace analogon {
+namespace {
+
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
-namespace {
-
-class Results : public analogon::testing::StudyTest {
+class Results : public analogon::test::StudyTest {
 protected:
     void SetUp() override {
         StudyTest::SetUp();
@@ -202,3 +202,4 @@ TEST_F(Results, AreOldOrNewWhenTheProgramIsKilled) {
 }
 
 }  // namespace
+}  // namespace analogon

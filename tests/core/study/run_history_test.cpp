@@ -6,14 +6,14 @@
 #include "core/study/run_json.hpp"
 #include "study_fixture.hpp"
 
-using namespace analogon;
+namespace analogon {
+namespace {
+
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
-namespace {
-
 /// Runs of the heater: a fit, and a discovery whose every member holds something.
-class RunHistory : public analogon::testing::StudyTest {
+class RunHistory : public analogon::test::StudyTest {
 protected:
     PastRun fitted() const {
         const Study study = read();
@@ -296,3 +296,4 @@ TEST_F(RunHistory, FindsARecordingThatWasTakenIntoTheStudy) {
 }
 
 }  // namespace
+}  // namespace analogon

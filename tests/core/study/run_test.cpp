@@ -20,7 +20,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-class Run : public testing::StudyTest {
+class Run : public test::StudyTest {
 protected:
     void SetUp() override {
         StudyTest::SetUp();
@@ -220,7 +220,7 @@ TEST_F(Run, ASimulationReportsHowFarItIs) {
 }
 
 /// A motor at rest beside one that moves: supply voltage, speed and a channel of zeros are measured.
-class AtRest : public testing::StudyTest {
+class AtRest : public test::StudyTest {
 protected:
     void putStudy(double supplyMeasured, double zeroSimulated = 0) {
         put("model.mo",
@@ -396,7 +396,7 @@ TEST_F(AtRest, AChannelOfZerosHasNoErrorInPercentAndIsJudgedAllTheSame) {
 }
 
 /// Two recordings of one input, the second to validate.
-class TwoRecordings : public testing::StudyTest {
+class TwoRecordings : public test::StudyTest {
 protected:
     void putStudy(const std::string& equation, double uFit, double uValidate) {
         put("study.json", R"({"format": "analogon-study-1", "class": "M", "experiments": [

@@ -9,7 +9,7 @@
 #include "core/study/run.hpp"
 #include "study_fixture.hpp"
 
-namespace analogon::testing {
+namespace analogon::test {
 
 /// A column that is measured, its noise, and its value where a recording stands.
 struct Measured {
@@ -134,4 +134,4 @@ protected:
     }
 };
 
-}  // namespace analogon::testing
+}  // namespace analogon::test

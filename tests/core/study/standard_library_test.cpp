@@ -5,9 +5,9 @@
 namespace analogon {
 namespace {
 
-using testing::Command;
-using testing::DiscoveryInStandardLibrary;
-using testing::dryFriction;
+using test::Command;
+using test::DiscoveryInStandardLibrary;
+using test::dryFriction;
 
 // ------------------------------------------------------------------------------------------ a DC machine
 

@@ -7,11 +7,13 @@
 #include "tests/kills.hpp"
 #include "tests/tree.hpp"
 
-using namespace analogon;
+namespace analogon {
+namespace {
+
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
-using StudyFiles = analogon::testing::StudyTest;
+using StudyFiles = analogon::test::StudyTest;
 
 TEST_F(StudyFiles, AreReadFromTheDirectoryOrItsStudyJson) {
     putHeater();
@@ -388,3 +390,6 @@ TEST_F(StudyFiles, LeaveNothingHalfWritten) {
     for (const auto& entry : fs::directory_iterator(directory_))
         EXPECT_THAT(entry.path().filename().string(), ::testing::Not(HasSubstr("writing")));
 }
+
+}  // namespace
+}  // namespace analogon

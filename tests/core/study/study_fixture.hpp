@@ -8,7 +8,7 @@
 
 #include "core/study/study.hpp"
 
-namespace analogon::testing {
+namespace analogon::test {
 
 /// A fresh directory for each test, taken away behind it.
 class StudyTest : public ::testing::Test {
@@ -98,4 +98,4 @@ end Heater;
     std::filesystem::path directory_;
 };
 
-}  // namespace analogon::testing
+}  // namespace analogon::test

@@ -1,10 +1,10 @@
 #include "core/study/json_places.hpp"
 #include "study_fixture.hpp"
 
-using namespace analogon;
-using ::testing::HasSubstr;
-
+namespace analogon {
 namespace {
+
+using ::testing::HasSubstr;
 
 Outcome<Study> parse(const std::string& text) {
     return parseStudyJson(std::make_shared<const Source>("study.json", text));
@@ -22,8 +22,6 @@ Diagnostic faultOf(const std::string& text) {
     EXPECT_FALSE(study.hasValue()) << text;
     return study ? Diagnostic{} : study.diagnostics().front();
 }
-
-}  // namespace
 
 TEST(StudyJson, ReadsEveryMember) {
     const Outcome<Study> study = parse(R"({"format": "analogon-study-1", "class": "M", "library": ["../blocks"],
@@ -312,3 +310,6 @@ TEST(StudyJson, TellsTheFirstFaultsOfMany) {
     const std::string text(100'000, 'x');
     EXPECT_LT(format(faultOf("{\"class\": \"M\", \"experiments\": \"" + text + "\"}")).size(), 1500u);
 }
+
+}  // namespace
+}  // namespace analogon

@@ -1,11 +1,13 @@
 #include "study_fixture.hpp"
 
-using namespace analogon;
+namespace analogon {
+namespace {
+
 using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-class StudyTask : public analogon::testing::StudyTest {
+class StudyTask : public analogon::test::StudyTest {
 protected:
     EstimationTask task() const {
         Outcome<EstimationTask> result = estimationTask(read());
@@ -356,3 +358,6 @@ TEST_F(StudyTask, ReadsEveryPublicCase) {
     }
     EXPECT_GE(count, 14);
 }
+
+}  // namespace
+}  // namespace analogon

@@ -12,7 +12,7 @@ namespace analogon {
 namespace {
 
 /// A heater whose recording asks for other parameters than its model has.
-class TraceSimulation : public testing::StudyTest {
+class TraceSimulation : public test::StudyTest {
 protected:
     void SetUp() override {
         StudyTest::SetUp();

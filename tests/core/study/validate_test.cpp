@@ -3,14 +3,16 @@
 #include "core/study/run.hpp"
 #include "study_fixture.hpp"
 
-using namespace analogon;
+namespace analogon {
+namespace {
+
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-class Validate : public analogon::testing::StudyTest {
+class Validate : public analogon::test::StudyTest {
 protected:
     Diagnostics said(Purpose purpose = Purpose::Check) const { return validated(read(), purpose).diagnostics(); }
     std::vector<std::string> messages(Purpose purpose = Purpose::Check) const {
@@ -284,3 +286,6 @@ TEST_F(Validate, ManyFaultsAreToldAtOnceBeforeWhatIsOnlyRemarked) {
     EXPECT_EQ(all[0].severity, Severity::Error);
     EXPECT_EQ(all[1].severity, Severity::Warning);
 }
+
+}  // namespace
+}  // namespace analogon

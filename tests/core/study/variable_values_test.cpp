@@ -8,7 +8,7 @@
 namespace analogon {
 namespace {
 
-class Variables : public testing::StudyTest {
+class Variables : public test::StudyTest {
 protected:
     void SetUp() override {
         StudyTest::SetUp();
