@@ -86,7 +86,7 @@ std::map<std::string, Meanings> sourcesBelow(const fs::path& folder, const std::
 
 std::vector<fs::path> libraries() {
     const fs::path root = ANALOGON_ROOT;
-    std::vector<fs::path> folders{root / "app/analogon-cli"};
+    std::vector<fs::path> folders{root / "app/analogon-cli", root / "ui"};
     for (const auto& entry : fs::directory_iterator(root / "core"))
         if (entry.is_directory()) folders.push_back(entry.path());
     return folders;

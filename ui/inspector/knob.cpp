@@ -26,7 +26,7 @@ const ParameterFact* factOf(const Document& document, const std::string& paramet
 }
 
 /// As many digits as the slider tells apart.
-double rounded(double value) { return QString::number(value, 'g', 5).toDouble(); }
+double toFiveDigits(double value) { return QString::number(value, 'g', 5).toDouble(); }
 
 }  // namespace
 
@@ -132,7 +132,7 @@ QString Knob::text() const { return name_->text() + " = " + number_->text(); }
 void Knob::move() {
     isTurning_ = true;
     write(value());
-    wanted_ = rounded(value());
+    wanted_ = toFiveDigits(value());
     simulate();
     if (!slider_->isSliderDown()) rest_.start();
 }
@@ -141,7 +141,7 @@ void Knob::commit() {
     rest_.stop();
     if (!std::exchange(isTurning_, false)) return;
     isSettling_ = true;
-    const double now = rounded(value());
+    const double now = toFiveDigits(value());
     if (now != document_.parameterValue(parameter_)) document_.setParameterValue(parameter_, now);
 }
 

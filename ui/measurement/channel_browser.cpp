@@ -22,7 +22,7 @@ namespace analogon::ui {
 namespace {
 
 constexpr int channelRole = Qt::UserRole, searchRole = Qt::UserRole + 1;
-enum Column { Name, Unit, About, ColumnCount };
+enum ChannelColumn { Name, Unit, About, ColumnCount };
 
 QString rasterText(MasterKind master) {
     switch (master) {

@@ -13,7 +13,7 @@ namespace analogon::ui {
 namespace {
 
 /// "u_heater", "uHeater1" as {u, heater}.
-std::set<std::string> wordsOf(const std::string& name) {
+std::set<std::string> wordsOfName(const std::string& name) {
     std::set<std::string> words;
     std::string word;
     const auto close = [&] {
@@ -33,7 +33,7 @@ std::set<std::string> wordsOf(const std::string& name) {
 }
 
 int commonWords(const std::string& a, const std::string& b) {
-    const auto first = wordsOf(a), second = wordsOf(b);
+    const auto first = wordsOfName(a), second = wordsOfName(b);
     return static_cast<int>(
         std::count_if(first.begin(), first.end(), [&](const auto& w) { return second.contains(w); }));
 }

@@ -19,7 +19,7 @@ namespace analogon::ui {
 
 namespace {
 
-enum Column { Line, InTheFile, FirstReading };
+enum ReadingColumn { Line, InTheFile, FirstReading };
 
 QTableWidgetItem* cellOf(const QString& text, bool isNumber) {
     auto* item = new QTableWidgetItem(text);

@@ -24,7 +24,7 @@ QString errorText(const ErrorFigures& figures) {
     return figures.hasScale() ? style::fixedText(figures.errorPercent, 2) : style::numberText(figures.rmse, 3);
 }
 
-QStringList wordsOf(const Diagnostics& faults) {
+QStringList wordsOfFaults(const Diagnostics& faults) {
     QStringList words;
     for (const Diagnostic& fault : faults)
         if (fault.severity == Severity::Error) words << inWords(fault.message);
@@ -94,9 +94,9 @@ RecordingsModel::Row RecordingsModel::rowOf(const StudyExperiment& experiment) c
              table && !experiment.range && isAtHand(tables, experiment))
         row.extent = extentOf(*table, experiment);
     if (row.isMissing)
-        row.fault = wordsOf(document_.study().unread.at(tableKey(experiment)));
+        row.fault = wordsOfFaults(document_.study().unread.at(tableKey(experiment)));
     else if (const FaultyRecording* const faulty = row.isUsed ? document_.leftOut(experiment.name) : nullptr)
-        row.fault = wordsOf(faulty->why);
+        row.fault = wordsOfFaults(faulty->why);
     return row;
 }
 

@@ -65,7 +65,7 @@ public:
 };
 
 /// Rows are marked, cells are edited; names take their width once, all else as much as it needs.
-void setUp(QTableView* view) {
+void setUpRecordings(QTableView* view) {
     view->setSortingEnabled(true);
     view->horizontalHeader()->setSortIndicatorClearable(true);
     view->sortByColumn(-1, Qt::AscendingOrder);  // as they are in the study
@@ -117,7 +117,7 @@ RecordingsPage::RecordingsPage(Document& document, QWidget* parent)
     style::findBy(*this, [this] { return filter_; });
     view_->setModel(sorted_);
     view_->setItemDelegate(new RecordingDelegate(view_));
-    setUp(view_);
+    setUpRecordings(view_);
     view_->installEventFilter(this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(style::margin, style::margin, style::margin, style::margin);

@@ -19,7 +19,7 @@ void addFinite(ValueRange& range, std::span<const double> values) {
 }
 
 /// A block of a long trace is nearly always finite, and then its range is found several values at a time.
-ValueRange rangeOf(std::span<const double> block) {
+ValueRange rangeOfBlock(std::span<const double> block) {
     ValueRange range;
     const Eigen::Map<const Eigen::ArrayXd> values(block.data(), static_cast<Eigen::Index>(block.size()));
     const bool isFinite = (values - values).sum() == 0;  // what is not finite less itself is NaN
@@ -35,7 +35,7 @@ ValueRange rangeOf(std::span<const double> block) {
 Extent::Extent(std::span<const double> values) {
     blocks_.reserve(values.size() / blockSize + 1);
     for (std::size_t begin = 0; begin < values.size(); begin += blockSize) {
-        const ValueRange block = rangeOf(values.subspan(begin, std::min(blockSize, values.size() - begin)));
+        const ValueRange block = rangeOfBlock(values.subspan(begin, std::min(blockSize, values.size() - begin)));
         whole_.add(block);
         blocks_.push_back(block);
     }

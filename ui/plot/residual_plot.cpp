@@ -23,7 +23,7 @@ namespace {
 constexpr int largestLag = 60, bins = 41;
 constexpr std::size_t mostPoints = 4000;  // of the scatter: more cannot be told apart
 
-ValueRange rangeOf(const std::vector<double>& values) {
+ValueRange finiteRangeOf(const std::vector<double>& values) {
     ValueRange range;
     for (const double v : values)
         if (std::isfinite(v)) range.add(v);
@@ -56,11 +56,11 @@ ResidualFacts residualFacts(const std::vector<double>& residual, const std::vect
     for (const double v : residual)
         if (std::isfinite(v)) finite.push_back(v);
     facts.count = static_cast<int>(finite.size());
-    facts.range = rangeOf(finite);
+    facts.range = finiteRangeOf(finite);
     const std::size_t stride = std::max<std::size_t>(1, residual.size() / mostPoints);
     facts.sampled = everyNth(residual, stride);
     for (const NamedSeries& s : against)
-        facts.against.push_back({s.name, rangeOf(s.values), everyNth(s.values, stride)});
+        facts.against.push_back({s.name, finiteRangeOf(s.values), everyNth(s.values, stride)});
     if (finite.empty()) return facts;
 
     const Eigen::Map<const Eigen::VectorXd> r(finite.data(), static_cast<Eigen::Index>(finite.size()));

@@ -9,7 +9,7 @@ namespace analogon::ui {
 
 namespace {
 
-double distance(Point at, Point a, Point b) {
+double distanceFromPiece(Point at, Point a, Point b) {
     const double x = std::clamp(at.x, std::min(a.x, b.x), std::max(a.x, b.x));
     const double y = std::clamp(at.y, std::min(a.y, b.y), std::max(a.y, b.y));
     return std::hypot(at.x - x, at.y - y);
@@ -55,7 +55,7 @@ bool isOrthogonal(const std::vector<Point>& way) {
 std::optional<std::size_t> pieceAt(const std::vector<Point>& way, Point at, double reach) {
     std::optional<std::size_t> nearest;
     for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-        const double away = distance(at, way[i], way[i + 1]);
+        const double away = distanceFromPiece(at, way[i], way[i + 1]);
         if (away > reach) continue;
         reach = away;
         nearest = i;

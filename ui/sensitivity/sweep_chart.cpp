@@ -24,7 +24,7 @@ bool growsByFactors(const std::vector<double>& values) {
 }
 
 /// From half a cell before the first value to half a cell behind the last.
-std::pair<double, double> around(const std::vector<double>& values) {
+std::pair<double, double> rangeAround(const std::vector<double>& values) {
     const double first = values.front(), last = values.back();
     if (values.size() < 2 || first == last)
         return {first - 0.5 * std::abs(first) - 1e-12, first + 0.5 * std::abs(first) + 1e-12};
@@ -174,7 +174,7 @@ void SweepChart::drawMap() {
     chart()->addSeries(none);
     for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
         none->attachAxis(axes[i]);
-        const auto [from, to] = around(sweep_->axes[i].values);
+        const auto [from, to] = rangeAround(sweep_->axes[i].values);
         axes[i]->setRange(std::min(from, to), std::max(from, to));
         setRoundTicks(*axes[i], std::min(from, to), std::max(from, to));
     }

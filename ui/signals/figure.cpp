@@ -43,7 +43,7 @@ std::vector<Part> partsOf(const std::vector<ChartLine>& lines, double from, doub
 
 int segmentOf(const Part& part) { return part.time.size() / 8 > longestSegment ? longestSegment : 0; }
 
-Figure faulty(const Diagnostics& faults) { return Figure::failed(faults.front()); }
+Figure failedFigure(const Diagnostics& faults) { return Figure::failed(faults.front()); }
 
 /// A point that falls onto the one before it is not drawn again.
 QPolygonF thinned(std::span<const double> x, std::span<const double> y) {
@@ -87,7 +87,7 @@ Figure spectra(const std::vector<Part>& parts) {
     figure.yLabel = tr("Power spectral density [unit²/Hz]");
     for (const Part& part : parts) {
         const Outcome<Spectrum> spectrum = welchSpectrum(part.time, part.values, segmentOf(part));
-        if (!spectrum) return faulty(spectrum.diagnostics());
+        if (!spectrum) return failedFigure(spectrum.diagnostics());
         QPolygonF points;
         for (std::size_t k = 1; k < spectrum->frequency.size(); ++k)
             if (spectrum->density[k] > 0) points << QPointF(spectrum->frequency[k], spectrum->density[k]);
@@ -104,7 +104,7 @@ Figure coherences(const std::vector<Part>& parts) {
         const std::vector<double> y = valuesAt(parts[i].time, parts[i].values, parts.front().time);
         const Outcome<Coherence> found =
             coherence(parts.front().time, parts.front().values, y, segmentOf(parts.front()));
-        if (!found) return faulty(found.diagnostics());
+        if (!found) return failedFigure(found.diagnostics());
         QPolygonF points;
         for (std::size_t k = 1; k < found->frequency.size(); ++k)
             points << QPointF(found->frequency[k], found->value[k]);
@@ -120,7 +120,7 @@ Figure histograms(const std::vector<Part>& parts) {
     figure.yLabel = tr("Share of the samples");
     for (const Part& part : parts) {
         const Outcome<Histogram> counted = histogram(part.values);
-        if (!counted) return faulty(counted.diagnostics());
+        if (!counted) return failedFigure(counted.diagnostics());
         QPolygonF points;
         points << QPointF(counted->edges.front(), 0);
         for (std::size_t k = 0; k < counted->counts.size(); ++k)

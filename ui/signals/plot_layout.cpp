@@ -15,7 +15,7 @@ constexpr std::array<const char*, 5> viewNames{"time", "xy", "spectrum", "cohere
 
 QJsonObject read(const std::string& json) { return QJsonDocument::fromJson(QByteArray::fromStdString(json)).object(); }
 
-PlotAxis axisOf(const QJsonObject& json) {
+PlotAxis axisFrom(const QJsonObject& json) {
     PlotAxis axis;
     const std::string view = json.value("view").toString().toStdString();
     const auto found = std::find(viewNames.begin(), viewNames.end(), view);
@@ -34,7 +34,7 @@ PlotLayout plotLayoutOf(const std::string& extraJson) {
     const QJsonObject plots = read(extraJson).value(member).toObject();
     const QJsonArray axes = plots.value("axes").toArray(), formulas = plots.value("formulas").toArray();
     for (const auto& axis : axes)
-        if (PlotAxis read = axisOf(axis.toObject()); !read.traces.empty()) layout.axes.push_back(std::move(read));
+        if (PlotAxis read = axisFrom(axis.toObject()); !read.traces.empty()) layout.axes.push_back(std::move(read));
     for (const auto& formula : formulas)
         if (!formula.toString().isEmpty()) layout.formulas.push_back(formula.toString());
     return layout;

@@ -27,7 +27,7 @@ SignalData faulty(const Diagnostics& faults) {
     return data;
 }
 
-const StudyExperiment* experimentOf(const Study& study, const QString& name) {
+const StudyExperiment* experimentNamed(const Study& study, const QString& name) {
     for (const StudyExperiment& e : study.experiments)
         if (QString::fromStdString(e.name) == name) return &e;
     return nullptr;
@@ -35,7 +35,7 @@ const StudyExperiment* experimentOf(const Study& study, const QString& name) {
 
 /// A channel as it was recorded, in its own unit.
 SignalData recorded(const Study& study, const SignalRef& reference) {
-    const StudyExperiment* found = experimentOf(study, reference.recording);
+    const StudyExperiment* found = experimentNamed(study, reference.recording);
     if (!found) return faulty({error(phrase("the study has no experiment {}", reference.recording.toStdString()))});
     StudyExperiment experiment = *found;
     findTime(study.tables, experiment);

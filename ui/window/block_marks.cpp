@@ -17,7 +17,7 @@ constexpr int digits = 4;
 QString html(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
 
 /// "R = 2.452 ± 0.012 Ohm": by the name within the block, before a fit with the value it starts from.
-QString valueText(const std::string& name, const std::string& unit, std::optional<double> value, double error) {
+QString fittedText(const std::string& name, const std::string& unit, std::optional<double> value, double error) {
     if (!value) return html(name);
     QString text = html(name) + " = " + style::numberText(*value, digits);
     if (std::isfinite(error) && error > 0) text += QStringLiteral(" ± ") + style::numberText(error, 2);
@@ -47,8 +47,8 @@ public:
         const std::string unit = facts_.contains(parameter) ? facts_[parameter]->unit : std::string();
         const FitEstimate* const estimate = recording.isEmpty() ? find(parameter) : nullptr;
         const QString value =
-            estimate ? valueText(name, unit, estimate->value, estimate->atBound ? 0 : estimate->standardError)
-                     : valueText(name, unit, document_.parameterValue(parameter), 0);
+            estimate ? fittedText(name, unit, estimate->value, estimate->atBound ? 0 : estimate->standardError)
+                     : fittedText(name, unit, document_.parameterValue(parameter), 0);
         const QString text = recording.isEmpty()
                                  ? value
                                  : MainWindow::tr("%1 for the recording %2").arg(html(name), recording.toHtmlEscaped());
