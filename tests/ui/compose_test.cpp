@@ -449,7 +449,7 @@ TEST_F(Compose, AlignsASelectionInOneStep) {
     align->trigger();
     std::vector<double> left;
     for (const Block& block : document().diagram().blocks) {
-        const Extent& e = block.placement.extent;
+        const analogon::Extent& e = block.placement.extent;
         left.push_back(block.placement.origin.x + std::min(e.p1.x, e.p2.x));
     }
     EXPECT_EQ(left, std::vector<double>(3, left.front()));
