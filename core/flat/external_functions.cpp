@@ -280,13 +280,12 @@ private:
 
     // --------------------------------------------------------------------------------------------------- strings
 
-    /// A seed by the name of a component is another one under another name, and in tools that tell names otherwise.
+    /// A seed by the name of a component is another one under another name.
     bool hash(const std::string& of) {
         if (work_.instanceNames.contains(of))
             work_.messages.warning(
-                phrase("random numbers follow from the name '{}': under another name, or in another tool, they differ",
-                       of),
-                call_.span, phrase("give the component a seed of its own, as with useAutomaticLocalSeed = false"));
+                phrase("random numbers follow from the name '{}': under another name they differ", of), call_.span,
+                phrase("give the component a seed of its own, as with useAutomaticLocalSeed = false"));
         return give(pool_.constant(hashOf(of)), FlatType::Integer);
     }
 

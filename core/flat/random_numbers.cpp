@@ -182,29 +182,14 @@ RandomStep xorshift1024star(ExpressionPool& pool, std::span<const ExpressionId> 
 }
 
 std::int32_t hashOf(std::string_view text) {
-    constexpr std::size_t blockBytes = 12;
-    std::array<std::uint32_t, 3> sums{0x9e3779b9u, 0x9e3779b9u, 0xfeedbeefu};
-    auto& [a, b, c] = sums;
-    const auto mix = [&] {
-        constexpr std::array<std::array<int, 3>, 3> shifts{{{13, 8, 13}, {12, 16, 5}, {3, 10, 15}}};
-        for (const auto& shift : shifts) {
-            a = (a - b - c) ^ (c >> shift[0]);
-            b = (b - c - a) ^ (a << shift[1]);
-            c = (c - a - b) ^ (b >> shift[2]);
-        }
-    };
-    std::size_t at = 0;
-    for (; text.size() - at >= blockBytes; at += blockBytes, mix())
-        for (std::size_t i = 0; i < blockBytes; ++i)
-            sums[i / 4] += std::uint32_t{static_cast<unsigned char>(text[at + i])} << (8 * (i % 4));
-    c += static_cast<std::uint32_t>(text.size());
-    // The lowest byte of the last sum is taken by the length.
-    for (std::size_t i = 0; at + i < text.size(); ++i) {
-        const std::size_t place = i < 8 ? i : i + 1;
-        sums[place / 4] += std::uint32_t{static_cast<unsigned char>(text[at + i])} << (8 * (place % 4));
+    std::uint32_t hash = 0xaaaaaaaau;
+    bool isEven = true;
+    for (const char letter : text) {
+        const std::uint32_t code = static_cast<unsigned char>(letter);
+        hash ^= isEven ? (hash << 7) ^ (code * (hash >> 3)) : ~((hash << 11) + (code ^ (hash >> 5)));
+        isEven = !isEven;
     }
-    mix();
-    return std::bit_cast<std::int32_t>(c);
+    return std::bit_cast<std::int32_t>(hash);
 }
 
 }  // namespace analogon

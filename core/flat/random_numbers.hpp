@@ -24,7 +24,7 @@ RandomStep xorshift64star(ExpressionPool& pool, std::span<const ExpressionId> st
 RandomStep xorshift128plus(ExpressionPool& pool, std::span<const ExpressionId> state);
 RandomStep xorshift1024star(ExpressionPool& pool, std::span<const ExpressionId> state);
 
-/// The hash of a text that Jenkins published in 1997 (Dr. Dobb's Journal 22(9)), begun with 0xfeedbeef.
+/// The hash of a text by Partow (2002), begun with 0xaaaaaaaa: that of Modelica.Utilities.Strings.hashString.
 std::int32_t hashOf(std::string_view text);
 
 }  // namespace analogon

@@ -11048,8 +11048,8 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>der Index von '{}' liegt außerhalb des Feldes</translation>
     </message>
     <message>
-        <source>random numbers follow from the name '{}': under another name, or in another tool, they differ</source>
-        <translation>Zufallszahlen folgen aus dem Namen '{}': unter einem anderen Namen oder in einem anderen Werkzeug sind es andere</translation>
+        <source>random numbers follow from the name '{}': under another name they differ</source>
+        <translation>Zufallszahlen folgen aus dem Namen '{}': unter einem anderen Namen sind es andere</translation>
     </message>
     <message>
         <source>give the component a seed of its own, as with useAutomaticLocalSeed = false</source>
