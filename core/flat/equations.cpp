@@ -9,6 +9,7 @@
 #include "core/flat/events.hpp"
 #include "core/flat/executor.hpp"
 #include "core/flat/instantiator.hpp"
+#include "core/flat/refused_construct.hpp"
 #include "core/flat/translator.hpp"
 
 namespace analogon {
@@ -290,6 +291,7 @@ void Equations::assertion(const syntax::Equation& equation, const Scope& scope) 
         work_.translator->outputsOf(call, scope);  // a function that only looks, or tells
         return;
     }
+    if (tellRefused(work_.messages, name, equation.span)) return;
     if (name != "assert" || call.operands.size() < 2) {
         work_.messages.error(phrase("'{}' cannot stand as an equation", name), equation.span,
                              phrase("write: left = right"));

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/flat/instantiator.hpp"
+#include "core/flat/refused_construct.hpp"
 
 namespace analogon {
 
@@ -173,6 +174,10 @@ std::optional<Value> Events::sample(const syntax::Expression& call, const Scope&
         if (!value) return std::nullopt;
         if (value->isNumeric() && value->isScalar() && staysTheSame(value->elements[0]))
             arguments.push_back(value->elements[0]);
+    }
+    if (call.operands.size() == 1 && call.named.empty()) {  // sample(u), by the clock of its surroundings
+        tellRefused(work_.messages, "sample", call.name.span);
+        return std::nullopt;
     }
     if (arguments.size() != 2 || !call.named.empty()) {
         work_.messages.error(phrase("'sample' takes a start and an interval that are known before the simulation"),

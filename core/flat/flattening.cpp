@@ -7,6 +7,7 @@
 #include "core/flat/connections.hpp"
 #include "core/flat/events.hpp"
 #include "core/flat/instantiator.hpp"
+#include "core/flat/refused_construct.hpp"
 #include "core/flat/translator.hpp"
 #include "core/library/moved_classes.hpp"
 
@@ -119,6 +120,7 @@ bool Flattening::isOfMissingLibrary(const syntax::Name& name, const LibraryClass
 void Flattening::reportUnknownClass(const syntax::Name& name, const LibraryClass* from) {
     if (isOfMissingLibrary(name, from)) return;
     const std::string text = name.text();
+    if (tellRefused(messages, text, name.span)) return;
     messages.error(from ? phrase("the class '{}' is not known in '{}'", text, from->qualifiedName)
                         : phrase("the class '{}' is not known", text),
                    name.span, didYouMean(text, library.names()));

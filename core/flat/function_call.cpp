@@ -11,6 +11,7 @@
 #include "core/flat/events.hpp"
 #include "core/flat/executor.hpp"
 #include "core/flat/instantiator.hpp"
+#include "core/flat/refused_construct.hpp"
 #include "core/flat/translator.hpp"
 
 /// Built-in functions: elementary ones (Modelica 3.6, section 3.7.3), der, delay, noEvent, smooth, homotopy
@@ -47,8 +48,7 @@ constexpr std::array otherFunctions{
     "skew",       "outerProduct", "symmetric", "semiLinear", "array",    "getInstanceName",
     "cardinality"};
 
-constexpr std::array refusedFunctions{"reinit", "terminate", "inStream", "actualStream", "spatialDistribution",
-                                      "Clock",  "previous",  "hold",     "subSample",    "superSample"};
+constexpr std::array refusedFunctions{"reinit", "terminate"};
 
 template <class Table>
 bool contains(const Table& table, std::string_view name) {
@@ -779,6 +779,7 @@ private:
             return std::move(outputs->front());
         }
         if (work_.isOfMissingLibrary(call_.name, scope_.lexical)) return std::nullopt;
+        if (tellRefused(work_.messages, name_, span)) return std::nullopt;
         return fail(phrase("the function '{}' is not known", name_), span, didYouMean(name_, functionNames()));
     }
 

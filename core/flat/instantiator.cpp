@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/flat/executor.hpp"
+#include "core/flat/refused_construct.hpp"
 #include "core/flat/translator.hpp"
 
 namespace analogon {
@@ -141,8 +142,7 @@ bool Instantiator::prepare(Instance& instance, Element& element) {
     const syntax::Component& original = *element.original;
     if (original.isOuter) return prepareOuter(instance, element);
     if (original.isStream) {
-        work_.messages.error(phrase("stream variables are not supported"), wordOf(original, "stream"),
-                             phrase("use a potential and a flow variable"));
+        tellRefused(work_.messages, "stream", wordOf(original, "stream"));
         return false;
     }
     if (const auto& condition = declaration.condition ? declaration.condition : original.condition) {

@@ -34,6 +34,10 @@ void Messages::fatal(const Text& message, const Span& span, const Text& hint) {
     isStopped_ = true;
 }
 
+void Messages::refusal(const Text& message, const Span& span, const Text& hint) {
+    if (quiet_ == 0) fatal(message, span, hint);
+}
+
 void Messages::warning(const Text& message, const Span& span, const Text& hint) {
     if (quiet_ == 0 && isNew(message, span)) diagnostics_.push_back(analogon::warning(message, span, hint));
 }

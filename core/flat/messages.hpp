@@ -17,6 +17,8 @@ public:
     void error(const Text& message, const Span& span, const Text& hint = {});
     /// An error after which nothing more is done: the model is too large to go on.
     void fatal(const Text& message, const Span& span, const Text& hint = {});
+    /// One that leaves nothing else to say of the model; nothing where it is only tried.
+    void refusal(const Text& message, const Span& span, const Text& hint = {});
     void warning(const Text& message, const Span& span, const Text& hint = {});
 
     /// While one lives, faults are not taken: something is only tried.

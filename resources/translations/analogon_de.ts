@@ -11048,6 +11048,34 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>der Index von '{}' liegt außerhalb des Feldes</translation>
     </message>
     <message>
+        <source>'{}' belongs to clocked equations (Modelica 3.6, chapter 16), which are not supported</source>
+        <translation>'{}' gehört zu getakteten Gleichungen (Modelica 3.6, Kapitel 16), die nicht unterstützt werden</translation>
+    </message>
+    <message>
+        <source>sample with 'when sample(start, interval) then' and pre(), or with Modelica.Blocks.Discrete</source>
+        <translation>tasten Sie mit 'when sample(start, interval) then' und pre() ab, oder mit Modelica.Blocks.Discrete</translation>
+    </message>
+    <message>
+        <source>'{}' belongs to state machines (Modelica 3.6, chapter 17), which are not supported</source>
+        <translation>'{}' gehört zu Zustandsautomaten (Modelica 3.6, Kapitel 17), die nicht unterstützt werden</translation>
+    </message>
+    <message>
+        <source>keep the state in a discrete variable that changes in 'when', or draw it with Modelica.StateGraph</source>
+        <translation>halten Sie den Zustand in einer diskreten Variablen, die sich in 'when' ändert, oder zeichnen Sie ihn mit Modelica.StateGraph</translation>
+    </message>
+    <message>
+        <source>'{}' belongs to stream connectors (Modelica 3.6, chapter 15), which are not supported</source>
+        <translation>'{}' gehört zu Stream-Konnektoren (Modelica 3.6, Kapitel 15), die nicht unterstützt werden</translation>
+    </message>
+    <message>
+        <source>use a potential and a flow variable; Modelica.Thermal.FluidHeatFlow models media so</source>
+        <translation>verwenden Sie eine Potential- und eine Flussvariable; so modelliert Modelica.Thermal.FluidHeatFlow Medien</translation>
+    </message>
+    <message>
+        <source>where the transport takes a constant time T, delay(u, T) does the same</source>
+        <translation>wo der Transport eine feste Zeit T dauert, leistet delay(u, T) dasselbe</translation>
+    </message>
+    <message>
         <source>random numbers follow from the name '{}': under another name they differ</source>
         <translation>Zufallszahlen folgen aus dem Namen '{}': unter einem anderen Namen sind es andere</translation>
     </message>
@@ -11442,14 +11470,6 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>declare it in a model that holds this one: inner {} {}</source>
         <translation>sie in einem Modell deklarieren, das dieses enthält: inner {} {}</translation>
-    </message>
-    <message>
-        <source>stream variables are not supported</source>
-        <translation>stream-Variablen werden nicht unterstützt</translation>
-    </message>
-    <message>
-        <source>use a potential and a flow variable</source>
-        <translation>eine Potential- und eine Flussvariable verwenden</translation>
     </message>
     <message>
         <source>the text has {} bytes; at most {} are read</source>

@@ -1,0 +1,4 @@
+connector Tick = input Clock;
+model M
+  Tick tick;
+end M;
