@@ -109,7 +109,7 @@ int simulateClass(const Options& options, std::ostream& out, std::ostream& err) 
     if (options.tolerance) run.tolerance = *options.tolerance;
     Outcome<ResultsPlace> place = ResultsPlace::take(options.out);
     if (!place) return fails(place.diagnostics(), err);
-    if (!(run.stop > run.start))
+    if (!(run.stop >= run.start))
         return fails({fileError(phrase("the simulation would end at {}, before it begins at {}", run.stop, run.start),
                                 options.className)},
                      err);

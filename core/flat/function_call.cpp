@@ -76,7 +76,7 @@ public:
 
     std::optional<Value> translate() {
         for (const Elementary& f : elementaries)
-            if (f.name == name_) return elementary(f);
+            if (f.name == name_) return isHidden() ? libraryFunction() : elementary(f);
         if (name_ == "der") return der();
         if (name_ == "delay") return delay();
         if (name_ == "noEvent" || name_ == "smooth") return eventFree();
@@ -317,7 +317,10 @@ private:
             return fail(phrase("'{}' needs an array of numbers, not {}", name_, typeText(*array)),
                         call_.operands[0].span);
         if (array->type == FlatType::Boolean) operation = operation == Operation::Min ? Operation::And : Operation::Or;
-        if (array->elements.empty() && isExtremum) return fail(phrase("'{}' of an empty array", name_));
+        if (array->elements.empty() && isExtremum) {
+            if (array->type != FlatType::Boolean) return fail(phrase("'{}' of an empty array", name_));
+            return Value::scalar(array->type, pool_.constant(operation == Operation::And ? 1 : 0));
+        }
         ExpressionId result = isExtremum ? array->elements[0] : pool_.constant(operation == Operation::Add ? 0 : 1);
         for (ExpressionId element : array->elements) result = pool_.binary(operation, result, element);
         return Value::scalar(array->type, result);
@@ -753,6 +756,14 @@ private:
         for (auto own = frame.rbegin(); own != frame.rend(); ++own)
             if (own->first == name_) return own->second.isFunction() ? &own->second : nullptr;
         return nullptr;
+    }
+
+    /// Whether a function with an algorithm stands nearer than that of the language, as Modelica.ComplexMath.exp does
+    /// within its package.
+    bool isHidden() {
+        if (call_.name.absolute) return false;
+        const LibraryClass* nearer = work_.lookup(call_.name.text(), scope_.lexical);
+        return nearer && !nearer->definition->external && !nearer->definition->algorithmSections.empty();
     }
 
     /// Functions known by the name they have in the library.

@@ -294,6 +294,22 @@ bool Instantiator::mayRedeclare(const syntax::Component& original, const Span& s
     return false;
 }
 
+namespace {
+
+/// What a declaration says below its redeclarations: by its constraining clause, or all of it where it has none
+/// (section 7.3.2), its value included.
+Modifier staysInForce(const syntax::Component& component, const Scope& scope, Messages& messages) {
+    if (component.constrainedBy) return modifierOf(component.constrainedByModifications, scope, messages);
+    Modifier said = modifierOf(component.modifications, scope, messages);
+    if (component.binding) {
+        said.value = {&*component.binding, scope, {}, {}};
+        said.span = component.nameSpan;
+    }
+    return said;
+}
+
+}  // namespace
+
 /// `x(redeclare T x(…))`: the new declaration with the modifications of the constraining clause below its own.
 Element Instantiator::redeclare(Instance& instance, Element element, const syntax::Component& component,
                                 const Modifier& modification) {
@@ -305,9 +321,7 @@ Element Instantiator::redeclare(Instance& instance, Element element, const synta
                              modification.span, phrase("declare it 'replaceable' or modify it without 'redeclare'"));
         return element;
     }
-    Modifier constraint = component.constrainedBy
-                              ? modifierOf(component.constrainedByModifications, element.scope, work_.messages)
-                              : modifierOf(component.modifications, element.scope, work_.messages);
+    Modifier constraint = staysInForce(component, element.scope, work_.messages);
     if (!component.isReplaceable) constraint = element.modifier;  // other sizes, else what it was
     Modifier outer = modification;                                // with what the new declaration says itself
     outer.redeclaredComponent = nullptr;
@@ -335,8 +349,7 @@ void Instantiator::replaceElement(Instance& instance, Element& existing, Element
         if (element.isProtected != existing.isProtected)
             tellVisibility(component.name, element.isProtected, component.nameSpan);
         const Scope knownScope{&instance, existing.owner};
-        Modifier constraint = modifierOf(known.constrainedBy ? known.constrainedByModifications : known.modifications,
-                                         knownScope, work_.messages);
+        Modifier constraint = staysInForce(known, knownScope, work_.messages);
         element.modifier = merge(element.modifier, std::move(constraint), work_.messages, component.name);
         element.original = existing.original;
         element.owner = existing.owner;

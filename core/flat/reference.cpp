@@ -489,6 +489,17 @@ std::optional<Value> Translator::enumerationLiteral(const LibraryClass& definiti
     return std::nullopt;
 }
 
+/// The enumeration that a short class stands for, `type T = E`; the class itself where it stands for none.
+const LibraryClass* Translator::enumerationBehind(const LibraryClass* named) const {
+    constexpr int most = 20;  // classes may go round
+    const LibraryClass* definition = named;
+    for (int i = 0; i < most && definition && definition->definition->isShort; ++i) {
+        if (definition->definition->isEnumeration) return definition;
+        definition = work_.library.lookup(definition->definition->shortBase, definition->scope);
+    }
+    return definition && definition->definition->isEnumeration ? definition : named;
+}
+
 /// A literal of an enumeration, a constant of a package by its full name, or one of the enclosing classes.
 std::optional<Value> Translator::namedConstant(const syntax::Name& name, const Scope& scope, bool& found) {
     const std::string& last = name.parts.back().identifier;
@@ -503,6 +514,7 @@ std::optional<Value> Translator::namedConstant(const syntax::Name& name, const S
             found = true;
             return std::nullopt;
         }
+        definition = enumerationBehind(definition);
         if (definition->definition->isEnumeration) {
             work_.rules->check(*definition);
             found = true;

@@ -96,6 +96,7 @@ private:
     std::optional<Value> namedConstant(const syntax::Name& name, const Scope& scope, bool& found);
     std::optional<Value> constantOf(const LibraryClass& definition, const std::string& name, bool& found,
                                     std::set<const LibraryClass*>& seen);
+    const LibraryClass* enumerationBehind(const LibraryClass* named) const;
     std::optional<Value> enumerationLiteral(const LibraryClass& definition, const std::string& literal,
                                             const Span& span);
     void reportUnknown(const syntax::Name& name, const Scope& scope, const Span& span);

@@ -52,7 +52,7 @@ std::vector<std::string> tracedNames(const FlatModel& model, const System& syste
 
 Outcome<ClassRun> runAlone(const FlatModel& model, const std::function<std::vector<std::string>(const System&)>& wanted,
                            const EventRunOptions& options, const Progress& progress) {
-    if (!(options.stop > options.start))
+    if (!(options.stop >= options.start))
         return error(phrase("the simulation would end at {}, before it begins at {}", options.stop, options.start));
     const Outcome<HybridModel> hybrid = partition(model);
     if (!hybrid) return hybrid.diagnostics();

@@ -170,6 +170,15 @@ TEST(Arrays, TheLeastAndTheGreatestOfBooleansIsWhetherAllAndWhetherAnyIsTrue) {
                 Contains(HasSubstr("'sum' needs an array of numbers, not Boolean[2]")));
 }
 
+TEST(Arrays, OfNoBooleansAreAllTrueAndNoneIs) {
+    const FlatModel model =
+        flatOf("model M parameter Boolean b[0]; parameter Boolean all = min(b), any = max(b); end M;");
+    EXPECT_EQ(valueOf(model, "all"), 1);
+    EXPECT_EQ(valueOf(model, "any"), 0);
+    EXPECT_THAT(faultsOf("model M parameter Real b[0]; parameter Real x = min(b); end M;"),
+                ElementsAre(HasSubstr("'min' of an empty array")));
+}
+
 TEST(Arrays, AnArrayInBracketsByItselfKeepsItsDimensions) {
     const FlatModel m =
         flatOf("model M parameter Real a[2, 1, 2] = [{{{1, 2}}, {{3, 4}}}], b[2, 1] = [{5, 6}]; end M;");

@@ -181,6 +181,19 @@ TEST(Flatten, ParameterValuesFollowTheirBindings) {
     EXPECT_FALSE(m.parameterValue(m.find("x")).has_value());
 }
 
+TEST(Flatten, AShortClassOfAnEnumerationHasItsValues) {
+    const FlatModel flat = flatOf(R"(
+        package P
+          type Kind = enumeration(smooth, rough);
+          function f input Kind k; output Real y;
+            type T = Kind;
+            algorithm y := if k == T.rough then 2 else 1; end f;
+        end P;
+        model M parameter Real y = P.f(P.Kind.rough), z = P.f(P.Kind.smooth); end M;)");
+    EXPECT_EQ(valueOf(flat, "y"), 2);
+    EXPECT_EQ(valueOf(flat, "z"), 1);
+}
+
 TEST(Flatten, IfEquationsOnParametersChooseTheirBranch) {
     const std::string source = R"(
         model Base

@@ -276,5 +276,17 @@ TEST(Redeclaration, OfARedeclarationTakesWhatTheLastOneSaysAndWhatConstrainsIt) 
     EXPECT_EQ(valueOf(m, "n.b.x"), 9);
 }
 
+// As the matrix of cells of a battery stack of the Modelica Standard Library, of which only the type is redeclared.
+TEST(Redeclaration, AValueStaysThroughARedeclarationThatTellsNone) {
+    const FlatModel m = flatOf(R"(
+        record Base parameter Real a = 3; replaceable parameter Real c[2](each max = 9) = {a, 2*a}; end Base;
+        record Own = Base(redeclare parameter Real c[2](each min = 0));
+        model M parameter Own own; parameter Own other(c = {1, 1}); Real y = own.c[2] + other.c[2]; end M;)");
+    EXPECT_EQ(valueOf(m, "own.c[2]"), 6);
+    EXPECT_EQ(valueOf(m, "other.c[2]"), 1);
+    EXPECT_EQ(variable(m, "own.c[1]").min, 0);
+    EXPECT_EQ(variable(m, "own.c[1]").max, 9);
+}
+
 }  // namespace
 }  // namespace analogon

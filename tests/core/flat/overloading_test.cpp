@@ -80,6 +80,18 @@ TEST(ComplexNumbers, AreSignals) {
         ElementsAre("z.re = if time > 1 then 1 else 2", "z.im = if time > 1 then 0 else 3"));
 }
 
+// As Modelica.ComplexMath.sin calls the exp beside it; `.exp` is that of the language.
+TEST(ComplexNumbers, HaveFunctionsThatHideThoseOfTheLanguage) {
+    const FlatModel flat = flatOf(number + R"(
+        package CM
+          function exp input Complex c; output Complex d;
+            algorithm d := Complex(.exp(c.re)*.cos(c.im), .exp(c.re)*.sin(c.im)); end exp;
+          function twice input Complex c; output Complex d; algorithm d := exp(Complex(2*c.re, 2*c.im)); end twice;
+        end CM;
+        model M parameter Complex z = CM.twice(Complex(0.5, 0)); parameter Real e = exp(1); end M;)");
+    EXPECT_NEAR(valueOf(flat, "z.re"), valueOf(flat, "e"), 1e-12);
+}
+
 TEST(ComplexNumbers, AreTheOnlyRecordsWithOperators) {
     EXPECT_THAT(faultsOf("operator record R Real x; end R; model M R r(x = 1); end M;"),
                 Contains(HasSubstr("operator classes are not supported")));
