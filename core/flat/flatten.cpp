@@ -8,6 +8,7 @@
 #include "core/flat/flattening.hpp"
 #include "core/flat/free_ordinates.hpp"
 #include "core/flat/instantiator.hpp"
+#include "core/flat/measured_variables.hpp"
 #include "core/flat/unit_check.hpp"
 
 namespace analogon {
@@ -36,6 +37,7 @@ void run(Flattening& work, const LibraryClass& definition) {
     if (work.messages.hasErrors()) return;
     balance.check();
     listComponents(work);
+    takeMeasured(work);
     if (!work.messages.hasErrors()) UnitCheck(work).check();
 }
 

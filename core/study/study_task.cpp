@@ -14,6 +14,7 @@
 #include "core/measure/join.hpp"
 #include "core/measure/plausibility.hpp"
 #include "core/study/left_out.hpp"
+#include "core/study/mapped_signals.hpp"
 #include "core/study/measured.hpp"
 #include "core/study/parameter_reader.hpp"
 #include "core/study/recorded.hpp"
@@ -322,6 +323,22 @@ private:
         return std::nullopt;
     }
 
+    Text hintForUnknown(const std::string& name, const std::vector<std::string>& names, bool isInput) const {
+        if (isInput && model_.find(name).valid())
+            return phrase("It is neither an input of the model nor the output of a block that only produces a signal.");
+        const bool mayBeVariable = !isInput && suggestion(name, names).empty();
+        const std::string alike = mayBeVariable ? suggestion(name, variableNames()) : std::string();
+        if (!alike.empty()) return phrase("Did you mean '{}'?", alike);
+        return meantOrAvailable(name, names, phrase("There is no such signal."));
+    }
+
+    std::vector<std::string> variableNames() const {
+        std::vector<std::string> names;
+        for (const FlatVariable& v : model_.variables)
+            if (v.type == FlatType::Real && v.variability == FlatVariability::Continuous) names.push_back(v.name);
+        return names;
+    }
+
     /// Every mapped signal exists, every input of the model is mapped, some output is.
     bool checkSignals(const StudyExperiment& experiment, const std::string& pointer) {
         const std::size_t before = faults_;
@@ -329,7 +346,7 @@ private:
                                const std::vector<std::string>& names) {
             for (const auto& [name, mapping] : mappings) {
                 if (own.contains(name)) continue;
-                Text hint = meantOrAvailable(name, names, phrase("There is no such signal."));
+                Text hint = hintForUnknown(name, names, side == "input");
                 if (other.contains(name))
                     hint = side == "input" ? phrase("It is an output of the model: list it under \"outputs\".")
                                            : phrase("It is an input of the model: list it under \"inputs\".");
@@ -609,6 +626,8 @@ Outcome<Library> studyLibrary(const Study& study) {
     if (const auto model = study.models.find(study.modelFile); model != study.models.end())
         add(model->first, model->second);
     keep(library->withSources(sources));
+    if (const LibraryClass* model = library->find(study.className))
+        keep(withMeasured(*library, mappedSignals(study, model->qualifiedName)));
     if (!faults.empty()) return faults;
     return {std::move(*library), std::move(warnings)};
 }

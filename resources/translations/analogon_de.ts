@@ -11076,6 +11076,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>wo der Transport eine feste Zeit T dauert, leistet delay(u, T) dasselbe</translation>
     </message>
     <message>
+        <source>It is neither an input of the model nor the output of a block that only produces a signal.</source>
+        <translation>Es ist weder ein Eingang des Modells noch der Ausgang eines Blocks, der nur ein Signal erzeugt.</translation>
+    </message>
+    <message>
         <source>random numbers follow from the name '{}': under another name they differ</source>
         <translation>Zufallszahlen folgen aus dem Namen '{}': unter einem anderen Namen sind es andere</translation>
     </message>

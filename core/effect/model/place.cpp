@@ -9,6 +9,7 @@
 
 #include "core/base/unit.hpp"
 #include "core/effect/catalogue/combination.hpp"
+#include "core/library/measured_signals.hpp"
 
 namespace analogon {
 namespace {
@@ -103,6 +104,23 @@ std::string flowOf(const std::string& signature) {
     return signature.substr(at + 5, signature.find(';', at) - at - 5);
 }
 
+/// Whether a recording compares or drives something that is no input or output by the text of the model.
+bool isMeasuredWithin(const Library& library, const std::string& className, const std::string& name) {
+    const MeasuredSignals measured = measuredOf(library, className);
+    const auto isIn = [&](const std::vector<std::string>& names) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    if (!isIn(measured.compared) && !isIn(measured.driven)) return false;
+    if (name.find('.') != std::string::npos) return true;
+    const LibraryClass* const model = library.find(className);
+    const auto& components = model->definition->components;
+    const auto own =
+        std::find_if(components.begin(), components.end(), [&](const syntax::Component& c) { return c.name == name; });
+    if (own == components.end() || own->causality != syntax::Causality::None) return false;
+    const LibraryClass* const type = library.lookup(own->type, className);
+    return !type || type->definition->restriction != syntax::ClassDefinition::Restriction::Connector;
+}
+
 }  // namespace
 
 std::string connectorSignature(const Library& library, std::string_view connectorClass) {
@@ -142,10 +160,13 @@ ModelNodes::ModelNodes(const Library& library, const Diagram& diagram, const Str
                 {connector, p.className, !(flow.isConstant && flow.value == 0), b.isEffect});
         }
     }
-    for (const VariableId id : structure.inputs)
-        inputs_.emplace_back((*structure.model)[id].name, structure.model->unitOf((*structure.model)[id]));
-    for (const VariableId id : structure.outputs)
-        outputs_.emplace_back((*structure.model)[id].name, structure.model->unitOf((*structure.model)[id]));
+    // nothing is inserted where a signal is none of the model's own connectors
+    const FlatModel& model = *structure.model;
+    for (const auto& [ids, signals] :
+         {std::pair(&structure.inputs, &inputs_), std::pair(&structure.outputs, &outputs_)})
+        for (const VariableId id : *ids)
+            if (!isMeasuredWithin(library, model.name, model[id].name))
+                signals->emplace_back(model[id].name, model.unitOf(model[id]));
 }
 
 std::vector<EffectPlace> ModelNodes::attachPlaces(const std::string& signature) const {

@@ -295,6 +295,58 @@ TEST_F(StudyTask, NamesSignalsThatTheModelDoesNotHave) {
     EXPECT_THAT(taskFault().hint, HasSubstr("list it under \"outputs\""));
 }
 
+TEST_F(StudyTask, ComparesAnyVariableOfTheModel) {
+    putHeater();
+    change("\"i\": \"current\"", "\"i\": \"current\", \"T\": \"T_air\"");
+    const EstimationTask result = task();
+    ASSERT_EQ(result.recordings.size(), 1u);
+    EXPECT_THAT(result.recordings[0].outputNames, ::testing::UnorderedElementsAre("i", "T"));
+    EXPECT_NEAR(result.recordings[0].outputs(result.recordings[0].outputNames[0] == "T" ? 0 : 1, 2), 294.15, 1e-9)
+        << "in the unit of the variable";
+    const Outcome<PreparedTask> ready = prepare(result);
+    ASSERT_TRUE(ready) << format(ready.diagnostics());
+    EXPECT_GE(ready->system->outputIndex("T"), 0);
+    change("\"T\": \"T_air\"", "\"R\": \"T_air\"");
+    EXPECT_EQ(taskFault().message, "experiment 'warm-up': the model 'Heater' has no output 'R'");
+}
+
+TEST_F(StudyTask, DrivesAModelInPlaceOfItsSource) {
+    putHeater();
+    put("rig.mo", R"(model Rig
+  Analogon.Sources.Constant supply(k = 5);
+  Analogon.Sources.Constant room(k = 293.15);
+  Heater heater;
+equation
+  connect(supply.y, heater.u);
+  connect(room.y, heater.T_amb);
+end Rig;
+)");
+    put("model.mo", R"(model Heater
+  Analogon.Interfaces.RealInput u(unit="V"), T_amb(unit="K");
+  Real i(unit="A") = u/R;
+  parameter Real R(unit="Ohm") = 3;
+  parameter Real C(unit="J/K") = 10;
+  Real T(unit="K", start=293.15, fixed=true);
+equation
+  C*der(T) = u*i - 0.1*(T - T_amb);
+end Heater;
+)");
+    change("\"class\": \"Heater\"", "\"class\": \"Rig\"");
+    change("{\"u\": \"u_heater\", \"T_amb\": \"T_air\"}", "{\"supply.y\": \"u_heater\"}");
+    change("\"i\": \"current\"", "\"heater.i\": \"current\"");
+    change("\"R\"", "\"heater.R\"");
+    change("\"C\"", "\"heater.C\"");
+    const EstimationTask result = task();
+    ASSERT_EQ(result.recordings.size(), 1u);
+    EXPECT_THAT(result.recordings[0].inputNames, ElementsAre("supply.y"));
+    EXPECT_THAT(result.recordings[0].outputNames, ElementsAre("heater.i"));
+    const Outcome<PreparedTask> ready = prepare(result);
+    ASSERT_TRUE(ready) << format(ready.diagnostics());
+    EXPECT_GE(ready->system->inputIndex("supply.y"), 0);
+    change("\"supply.y\"", "\"heater.T\"");
+    EXPECT_THAT(taskFault().hint, HasSubstr("neither an input of the model nor the output of a block that only"));
+}
+
 TEST_F(StudyTask, WantsAnOutput) {
     putHeater();
     change("{\"i\": \"current\"}", "{}");
