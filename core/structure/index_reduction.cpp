@@ -9,6 +9,7 @@
 #include "core/base/stop.hpp"
 #include "core/flat/dependent_nodes.hpp"
 #include "core/structure/cancellation.hpp"
+#include "core/structure/hidden_constraint.hpp"
 #include "core/structure/independence.hpp"
 #include "core/structure/rewrite.hpp"
 
@@ -31,6 +32,7 @@ class IndexReduction {
 public:
     IndexReduction(EquationSystem system, const std::vector<Equation>& redundant)
         : system_(std::move(system)), redundant_(redundant), collect_(*system_.pool) {
+        revealConstraints(system_);
         combineCancellingDerivatives(system_);
         incidence_ = incidenceOf(system_);
     }
