@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <ostream>
 #include <string_view>
 
@@ -18,6 +19,8 @@
 namespace analogon::cli {
 
 namespace {
+
+constexpr std::size_t mostValues = 20'000'000;  // of traces.csv, which then has some 350 MB
 
 int fails(const Diagnostics& faults, std::ostream& err) {
     err << format(faults) << '\n';
@@ -114,10 +117,18 @@ int simulateClass(const Options& options, std::ostream& out, std::ostream& err) 
                                 options.className)},
                      err);
     const auto wanted = [&](const System& system) { return namesOf(*flat, system, options.variables); };
-    const Outcome<ClassRun> simulated = runAlone(*flat, wanted, run, Progress(stopInForce(), {}));
+    const std::size_t most = options.interval ? std::numeric_limits<std::size_t>::max() : mostValues;
+    const Outcome<ClassRun> simulated = runAlone(*flat, wanted, run, Progress(stopInForce(), {}), most);
     stopPoint();
     if (!simulated) return fails(simulated.diagnostics(), err);
     const EventTrajectory& trajectory = simulated->trajectory;
+    if (run.interval > 0 && simulated->interval > 1.001 * run.interval)
+        err << format(
+                   {warning(phrase("the results are told every {:.3g} s, not every {:.3g} s: these would be more than "
+                                   "{} values",
+                                   simulated->interval, run.interval, mostValues),
+                            {}, phrase("choose among the variables with --variables, or insist with --interval"))})
+            << '\n';
     if (!trajectory.remarks.empty()) err << format(trajectory.remarks) << '\n';
     const Outcome<Done> written = place->writeTraces(csvOf(trajectory, simulated->names));
     if (!written) return fails(written.diagnostics(), err);

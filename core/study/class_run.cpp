@@ -50,8 +50,20 @@ std::vector<std::string> tracedNames(const FlatModel& model, const System& syste
     return names;
 }
 
+namespace {
+
+double intervalFor(const EventRunOptions& options, std::size_t names, std::size_t mostValues) {
+    constexpr double fewestRows = 2500;  // what they show between events would be lost with less
+    const double span = options.stop - options.start;
+    const double asked = options.interval > 0 ? options.interval : span / fewestRows;
+    const double most = static_cast<double>(mostValues) / static_cast<double>(std::max<std::size_t>(names, 1));
+    return std::max(asked, span / std::max(most, fewestRows));
+}
+
+}  // namespace
+
 Outcome<ClassRun> runAlone(const FlatModel& model, const std::function<std::vector<std::string>(const System&)>& wanted,
-                           const EventRunOptions& options, const Progress& progress) {
+                           const EventRunOptions& options, const Progress& progress, std::size_t mostValues) {
     if (!(options.stop >= options.start))
         return error(phrase("the simulation would end at {}, before it begins at {}", options.stop, options.start));
     const Outcome<HybridModel> hybrid = partition(model);
@@ -61,7 +73,9 @@ Outcome<ClassRun> runAlone(const FlatModel& model, const std::function<std::vect
     ClassRun run;
     run.names = wanted(**system);
     run.states = (*system)->stateCount();
-    Outcome<EventTrajectory> trajectory = simulateWithEvents(*hybrid, **system, run.names, options, progress);
+    EventRunOptions within = options;
+    within.interval = run.interval = intervalFor(options, run.names.size(), mostValues);
+    Outcome<EventTrajectory> trajectory = simulateWithEvents(*hybrid, **system, run.names, within, progress);
     if (!trajectory) return trajectory.diagnostics();
     run.trajectory = std::move(*trajectory);
     return run;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -24,10 +25,13 @@ struct ClassRun {
     std::vector<std::string> names;  // of the columns of the trajectory
     EventTrajectory trajectory;
     int states{};
+    double interval{};  // [s] between the rows
 };
 
+/// With more than `mostValues` values the rows are further apart than is asked for, as long as there are 2500.
 /// Faults: the equations cannot be ordered or compiled; the time ends before it begins; the simulation stops.
 Outcome<ClassRun> runAlone(const FlatModel& model, const std::function<std::vector<std::string>(const System&)>& wanted,
-                           const EventRunOptions& options, const Progress& progress = {});
+                           const EventRunOptions& options, const Progress& progress = {},
+                           std::size_t mostValues = std::numeric_limits<std::size_t>::max());
 
 }  // namespace analogon

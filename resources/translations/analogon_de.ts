@@ -11080,6 +11080,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Es ist weder ein Eingang des Modells noch der Ausgang eines Blocks, der nur ein Signal erzeugt.</translation>
     </message>
     <message>
+        <source>choose among the variables with --variables, or insist with --interval</source>
+        <translation>wählen Sie mit --variables unter den Variablen aus, oder bestehen Sie mit --interval darauf</translation>
+    </message>
+    <message>
+        <source>the results are told every {:.3g} s, not every {:.3g} s: these would be more than {} values</source>
+        <translation>die Ergebnisse stehen alle {:.3g} s und nicht alle {:.3g} s: das wären mehr als {} Werte</translation>
+    </message>
+    <message>
         <source>random numbers follow from the name '{}': under another name they differ</source>
         <translation>Zufallszahlen folgen aus dem Namen '{}': unter einem anderen Namen sind es andere</translation>
     </message>

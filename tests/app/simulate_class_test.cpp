@@ -91,6 +91,15 @@ TEST_F(SimulateClass, EndsSoonWhenItIsInterrupted) {
     EXPECT_FALSE(fs::exists(out)) << "nothing is left where nothing was written";
 }
 
+TEST_F(SimulateClass, IsEvaluatedAtItsStartWhereItLastsNoTime) {
+    std::ofstream(scratch / "Toys/Still.mo") << "within Toys;\nmodel Still\n  Real x = 7;\n  annotation "
+                                                "(experiment(StopTime = 0));\nend Still;\n";
+    const Result result =
+        run({"simulate", "--class", "Toys.Still", "--library", (scratch / "Toys").string(), "--out", out.string()});
+    ASSERT_EQ(result.status, done) << result.err;
+    EXPECT_EQ(contentOf(out / "traces.csv"), "time,x\n0,7\n");
+}
+
 TEST_F(SimulateClass, IsAStudyOrAClass) {
     EXPECT_EQ(simulate({"--stop", "-1"}).status, inputAtFault);
     EXPECT_EQ(run({"simulate", study(lag).string(), "--class", "Toys.Ball", "--out", out.string()}).status,
