@@ -82,13 +82,31 @@ Range stepsOf(const std::vector<FitParameter>& parameters, const std::string& pa
     return {after.low - value, after.high - value};
 }
 
+/// How sharply a change is drawn, in one fit after the other [s].
+using Widths = std::vector<double>;
+
+double samplingOf(const std::vector<double>& time) {
+    return (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+}
+
+/// From a good part of the recording to one sample. The slope of a moment is felt only as far as the change is drawn
+/// wide: where the outputs follow a parameter at once (a resistance), a moment that is many samples off would move by
+/// one sample a step.
+Widths everSharper(const std::vector<double>& time) {
+    const double sample = samplingOf(time);
+    Widths widths;
+    for (double width = (time.back() - time.front()) / momentsTried; width > 2 * sample; width /= 4)
+        widths.push_back(width);
+    widths.push_back(sample);
+    return widths;
+}
+
 /// The change fitted together with all parameters of the model.
 std::optional<Change> fitted(const NullModel& null, const std::vector<FitParameter>& parameters, const Change& likely,
-                             const FitOptions& options, const Progress& progress) {
+                             const Widths& widths, const FitOptions& options, const Progress& progress) {
     const std::vector<double>& time = fittedRecording(null.variant.task, likely.experiment).time;
     const double span = time.back() - time.front();
     Variant variant = null.variant;
-    variant.task.change = ParameterChange{likely.parameter, span / static_cast<double>(time.size() - 1)};
     FitParameter step, moment;
     step.name = stepOf(likely.parameter);
     const Range steps = stepsOf(parameters, likely.parameter, likely.before);
@@ -104,8 +122,13 @@ std::optional<Change> fitted(const NullModel& null, const std::vector<FitParamet
     step.experiment = moment.experiment = likely.experiment;
     variant.task.parameters.push_back(step);
     variant.task.parameters.push_back(moment);
-    std::optional<FitResult> result = fitBeside(null, variant, options, progress);
-    if (!result) return std::nullopt;
+    std::optional<FitResult> result;
+    for (const double width : widths) {
+        variant.task.change = ParameterChange{likely.parameter, width};
+        if (result) variant.values = valuesOf(*result);
+        result = fitBeside(null, variant, options, progress);
+        if (!result) return std::nullopt;
+    }
     Change change = likely;
     for (const FitEstimate& e : result->estimates) {
         if (e.name == likely.parameter) change.before = e.value;
@@ -154,7 +177,8 @@ std::optional<Change> bestChange(const NullModel& null, FitOptions options, int 
     if (!prepared) return std::nullopt;
     const FitOptions roughly = trialOptions(options, options.maxIterations);  // most are only compared
     const auto fit = [&](const Change& likely) {
-        return fitted(null, prepared->problem.parameters, likely, roughly, progress);
+        const double sample = samplingOf(fittedRecording(null.variant.task, likely.experiment).time);
+        return fitted(null, prepared->problem.parameters, likely, {sample}, roughly, progress);
     };
     std::optional<Change> best;
     std::vector<Change> likely = likelyChanges(null);
@@ -171,7 +195,8 @@ std::optional<Change> bestChange(const NullModel& null, FitOptions options, int 
         near.back().time = moment;
     }
     takeBest(near, best, threads, progress, fit);
-    const std::optional<Change> exact = fitted(null, prepared->problem.parameters, *best, options, progress);
+    const std::optional<Change> exact =
+        fitted(null, prepared->problem.parameters, *best, everSharper(time), options, progress);
     return exact && exact->explained > best->explained ? exact : best;
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr int samples = 400, change = 200;
 
 /// A body whose joint to the surroundings conducts otherwise from the change on, in small steps of the exact solution.
-Recording recorded(const std::string& name, double before, double after) {
+Recording recorded(const std::string& name, double before, double after, int at = change) {
     Recording r = warmBodyRecording(name, samples);
     double x = 0;
     for (int k = 0; k < samples; ++k) {
@@ -24,20 +24,20 @@ Recording recorded(const std::string& name, double before, double after) {
         for (int i = 0; i < pieces; ++i) {
             const double t = k + (i + 0.5) / pieces;
             const double p = 3 + 2 * ((1 - (t - k)) * std::sin(0.1 * k) + (t - k) * std::sin(0.1 * (k + 1)));
-            const double G = k < change ? before : after, decay = std::exp(-G / 4 / pieces);
+            const double G = k < at ? before : after, decay = std::exp(-G / 4 / pieces);
             x = x * decay + p / G * (1 - decay);
         }
     }
     return r;
 }
 
-NullModel changed(double before, double after, std::vector<Recording> checks = {}) {
+NullModel changed(double before, double after, std::vector<Recording> checks = {}, int at = change) {
     FitParameter g;
     g.name = "joint.G";
     g.unit = "W/K";
     g.start = 0.2;
     EstimationTask task = warmBody({g});
-    task.recordings = {recorded("bench", before, after)};
+    task.recordings = {recorded("bench", before, after, at)};
     for (Recording& check : checks) {
         check.role = Role::Validate;
         task.recordings.push_back(std::move(check));
@@ -61,6 +61,13 @@ TEST(Change, NeverTakesAQuantityOfOneSignToTheOther) {
     const std::optional<Change> found = bestChange(changed(0.2, -0.002), {}, 1, {});
     ASSERT_TRUE(found);
     EXPECT_GT(found->after, 0);
+}
+
+TEST(Change, IsNoneAtEitherEndOfARecording) {
+    const std::optional<Change> found = bestChange(changed(0.2, 0.3, {}, samples / 100), {}, 1, {});
+    ASSERT_TRUE(found);
+    EXPECT_GE(found->time, 0.039 * samples) << "a break in the first samples is a wrong start";
+    EXPECT_LT(found->time, 0.1 * samples);
 }
 
 TEST(Change, IsHeldAgainstChecksOfEitherCondition) {
