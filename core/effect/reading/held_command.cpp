@@ -114,7 +114,44 @@ public:
         return isWhole && l.residuals.allFinite() ? complement_(l.residuals).squaredNorm() : none;
     }
 
+    /// Squares that are left on lines where one output is measured late, of all outputs and of delays up to two samples
+    /// the least, the parameters following along their tangents. Another output that is late as well would be the
+    /// input.
+    double squaresWithALateOutput() const {
+        double least = std::numeric_limits<double>::infinity();
+        const FitResult& fit = onLines_.fit;
+        for (const ResidualChannel& c : onLines_.channels)
+            if (static_cast<std::size_t>(c.experiment) >= fit.optimum.trajectories.size()) return least;  // not kept
+        for (int output = 0; output < static_cast<int>(onLines_.noise.front().size()); ++output)
+            for (const double samples : {0.25, 0.5, 0.75, 1.0, 1.5, 2.0}) {
+                Eigen::VectorXd residuals = fit.optimum.residuals;
+                Eigen::MatrixXd jacobian = fit.optimum.jacobian;
+                for (const ResidualChannel& c : onLines_.channels)
+                    if (c.output == output) delay(c, samples, residuals, jacobian);
+                least = std::min(least, OrthogonalProjector(jacobian)(residuals).squaredNorm());
+            }
+        return least;
+    }
+
 private:
+    /// What a channel leaves, and its slopes, where it shows the model so many samples late. A row whose predecessors
+    /// were not measured stays as it is.
+    void delay(const ResidualChannel& c, double samples, Eigen::VectorXd& residuals, Eigen::MatrixXd& jacobian) const {
+        const auto whole = static_cast<int>(samples);
+        const double part = samples - whole;
+        const auto e = static_cast<std::size_t>(c.experiment);
+        const int recording = recordingsOf(onLines_.variant.task, Role::Fit)[e];
+        const double noise = onLines_.noise[static_cast<std::size_t>(recording)][c.output];
+        const auto y = onLines_.fit.optimum.trajectories[e].outputs.row(c.output);
+        const Eigen::MatrixXd& slopes = onLines_.fit.optimum.jacobian;
+        for (int i = whole + 1; i < c.end - c.begin; ++i) {
+            const int sample = c.samples[static_cast<std::size_t>(i)], row = c.begin + i;
+            if (c.samples[static_cast<std::size_t>(i - whole - 1)] != sample - whole - 1) continue;
+            residuals[row] += ((1 - part) * y[sample - whole] + part * y[sample - whole - 1] - y[sample]) / noise;
+            jacobian.row(row) = (1 - part) * slopes.row(row - whole) + part * slopes.row(row - whole - 1);
+        }
+    }
+
     const NullModel& onLines_;
     const FitOptions& options_;
     const Progress& progress_;
@@ -185,6 +222,7 @@ std::optional<HeldReading> heldReading(const NullModel& onLines, const FitOption
     const double asHalf = readings.squares(readings.fitted(readings.later(*best, 0.5)));
     if (!(left < (isShaped ? likeHalf : betterThanHalf) * asHalf)) return std::nullopt;
     if (!(left < readings.squares(readings.fitted(readings.later(*best, 1))))) return std::nullopt;
+    if (!(left < (isShaped ? likeHalf : betterThanHalf) * readings.squaresWithALateOutput())) return std::nullopt;
     Variant held = readings.held(*best);
     held.values = valuesOf(*bestFit);
     const Outcome<ModelState> state = stateOf(held, *bestFit, options.simulation, progress, Detail::Errors);

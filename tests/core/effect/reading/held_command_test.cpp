@@ -122,6 +122,60 @@ TEST(HeldReading, IsToldByWhatTheOutputsSay) {
     EXPECT_FALSE(readingOf(switchedBody(false))) << "the lines leave noise";
 }
 
+/// Two thermometers at a body whose power runs on straight lines from sample to sample, the first so many samples late.
+EstimationTask withALateThermometer(double late) {
+    constexpr int samples = 300, within = 100;
+    EstimationTask task = taskOf(R"(model Body
+  Analogon.Interfaces.RealInput P(unit="W");
+  Analogon.Interfaces.RealOutput T1(unit="K");
+  Analogon.Interfaces.RealOutput T2(unit="K");
+  Analogon.Sources.PrescribedHeatFlow heater;
+  Analogon.Thermal.HeatCapacitor body(C=4, T_start=300);
+  Analogon.Thermal.ThermalConductor joint(G=0.2);
+  Analogon.Sources.FixedTemperature surroundings(T=300);
+  Analogon.Sensors.TemperatureSensor sensor1;
+  Analogon.Sensors.TemperatureSensor sensor2;
+equation
+  connect(P, heater.Q_flow);
+  connect(heater.port, body.port);
+  connect(body.port, joint.port_a);
+  connect(joint.port_b, surroundings.port);
+  connect(body.port, sensor1.port);
+  connect(body.port, sensor2.port);
+  connect(sensor1.T, T1);
+  connect(sensor2.T, T2);
+end Body;
+)",
+                                 "Body");
+    task.parameters = {{"body.C", "J/K", 4, 1, 20}, {"joint.G", "W/K", 0.3, 0.01, 10}};
+    Recording r = blankRecording("run", {"P"}, {"T1", "T2"}, samples);
+    std::mt19937 random(5);
+    std::normal_distribution<double> noise;
+    std::vector<double> T{300};
+    for (int k = 0; k < samples; ++k) {
+        r.time.push_back(2.0 * k);
+        r.inputs(0, k) = 5 + 3 * noise(random);
+    }
+    for (int k = 0; k + 1 < samples; ++k)
+        for (int i = 0; i < within; ++i) {
+            const double part = (i + 0.5) / within;
+            const double now = (1 - part) * r.inputs(0, k) + part * r.inputs(0, k + 1);
+            T.push_back(T.back() + 2.0 / within * (now - 0.2 * (T.back() - 300)) / 4);
+        }
+    for (int k = 0; k < samples; ++k) {
+        const auto then = static_cast<std::size_t>(std::max(0.0, k - late) * within);
+        r.outputs(0, k) = T[then] + 0.02 * noise(random);
+        r.outputs(1, k) = T[static_cast<std::size_t>(k * within)] + 0.2 * noise(random);
+    }
+    task.recordings = {r};
+    return task;
+}
+
+TEST(HeldReading, IsNoneWhereOneSensorIsLate) {
+    EXPECT_FALSE(readingOf(withALateThermometer(0.5))) << "held, the first thermometer alone is right";
+    EXPECT_FALSE(readingOf(withALateThermometer(0.75)));
+}
+
 TEST(HeldRemarks, SayWhatToWriteIntoTheStudy) {
     EstimationTask task = switchedBody(true);
     task.recordings.edit().front().asHeld["P"] = R"({"column": "power", "interpolation": "hold"})";
