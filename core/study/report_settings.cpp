@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* member = "report";
+constexpr const char* reportMember = "report";
 constexpr const char* leftOut = "leave_out";
 
 struct TextMember {
@@ -31,7 +31,7 @@ constexpr TextMember textMembers[] = {{"title", &ReportHead::title},
 Json reportOf(const std::string& extraJson) {
     if (extraJson.empty()) return {};
     const Json all = Json::parse(extraJson, nullptr, false);
-    const auto found = all.is_object() ? all.find(member) : all.end();
+    const auto found = all.is_object() ? all.find(reportMember) : all.end();
     return !all.is_object() || found == all.end() ? Json() : *found;
 }
 
@@ -50,7 +50,7 @@ std::string sectionNames() {
 
 /// Why the parts of a head are not what they should be, each with its pointer within study.json.
 std::vector<std::pair<std::string, Text>> wrongParts(const Json& report) {
-    const std::string top = fmt::format("/{}", member);
+    const std::string top = fmt::format("/{}", reportMember);
     if (!report.is_object()) return {{top, phrase("the head of the report must be a group of named texts")}};
     std::vector<std::pair<std::string, Text>> wrong;
     for (const TextMember& each : textMembers)
@@ -72,7 +72,7 @@ std::vector<std::pair<std::string, Text>> wrongParts(const Json& report) {
 /// What an effect changed in the shown diagram: the block that was added, or the one it took the place of; of one
 /// within a component the component.
 std::string blockOf(const AddedEffect& effect, const Diagram& after) {
-    for (const std::string& name : {effect.instance, effect.at})
+    for (const std::string& name : {effect.wired.instance, effect.at})
         for (std::string part = name; !part.empty();) {
             if (after.find(part)) return part;
             const std::size_t dot = part.rfind('.');
@@ -107,8 +107,8 @@ std::string withReportHead(const std::string& extraJson, const ReportHead& head)
     }
     report.erase(leftOut);
     for (const ReportSection section : head.leftOut) report[leftOut].push_back(name(section));
-    all.erase(member);
-    if (!report.empty()) all[member] = std::move(report);
+    all.erase(reportMember);
+    if (!report.empty()) all[reportMember] = std::move(report);
     return all.empty() ? std::string() : all.dump();
 }
 
@@ -125,7 +125,7 @@ Diagnostics reportHeadFaults(const Study& study) {
     if (const std::string logo = reportHeadOf(study.extraJson).logo; !logo.empty())
         if (const Outcome<std::string> uri = logoUri(study.directory / logo, logo); !uri) {
             const Diagnostic& fault = uri.diagnostics().front();
-            tell(fmt::format("/{}/logo", member), phrase("the logo '{}': {}", logo, fault.message), fault.hint);
+            tell(fmt::format("/{}/logo", reportMember), phrase("the logo '{}': {}", logo, fault.message), fault.hint);
         }
     return faults;
 }
