@@ -20,9 +20,9 @@ using threshold::noise::outlier;
 
 namespace {
 
-constexpr int fewestNeighbours = neighbours / 2;  // of those on a side, that are sound
-constexpr int longest = neighbours / 2;           // of samples in a row that may stand alone
-constexpr std::size_t mostTold = 4;               // of them, one by one
+const int fewestNeighbours = neighbours / 2;  // of those on a side, that are sound
+const int longest = neighbours / 2;           // of samples in a row that may stand alone
+constexpr std::size_t mostTold = 4;           // of them, one by one
 
 using Runs = std::vector<std::pair<int, int>>;  // [begin, end) of rows
 
