@@ -130,7 +130,7 @@ TEST_F(TwoHeaters, ShowItWithoutRadiationInARoomOfUnknownTemperature) {
 TEST_F(TwoHeaters, AreNotTakenForSlowWhereTheRoomIsHeldTooCold) {
     const Finding finding = search({{"T_room", held(295)}});
     expectLags(finding, 1.05);
-    const std::vector<Alternative>& others = finding.effects.front().alternatives;
+    const std::vector<Alternative>& others = finding.effects.front().instead.effects;
     EXPECT_TRUE(std::any_of(others.begin(), others.end(), [](const Alternative& a) {
         return a.kind == "actuator.lag" && a.at == "input heater1" && a.equivalent;
     }));
@@ -198,8 +198,8 @@ protected:
         EXPECT_NEAR(std::abs(force->parameters.front().value), 3.2, 0.5);
         EXPECT_GT(relativeError(finding.baseline, Role::Validate), 15);
         EXPECT_LT(relativeError(finding.final, Role::Validate), 7);
-        ASSERT_FALSE(finding.remainders.empty());
-        EXPECT_NE(finding.remainders.front().proposedEquation.english().find("abs(w)"), std::string::npos);
+        ASSERT_FALSE(finding.unexplained.remainders.empty());
+        EXPECT_NE(finding.unexplained.remainders.front().proposal.equation.english().find("abs(w)"), std::string::npos);
     }
 
 private:
@@ -272,9 +272,10 @@ TEST(CoupledDrives, AreExplainedByNamesOrByAProposalThatIsBorneOut) {
     // proposed in their place must bear out as well
     EXPECT_GT(validationError(finding.baseline), 10);
     EXPECT_TRUE(finding.kind == FindingKind::Partial || finding.kind == FindingKind::Unexplained);
-    ASSERT_FALSE(finding.remainders.empty());
-    const Remainder& left = finding.remainders.front();
-    const double proposed = left.errorValidateWith >= 0 ? left.errorValidateWith : validationError(finding.baseline);
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    const Remainder& left = finding.unexplained.remainders.front();
+    const double proposed =
+        left.proposal.errors.validate >= 0 ? left.proposal.errors.validate : validationError(finding.baseline);
     EXPECT_LT(std::min(validationError(finding.final), proposed), 7);
     EXPECT_FALSE(left.node.empty());
 }
@@ -284,12 +285,12 @@ TEST(Oscillator, IsGivenTheLawOfAStiffeningSpring) {
     if (!fs::exists(shared / "data" / "silverbox")) GTEST_SKIP() << "no measurements beside the project";
     const Finding finding = discovered(root / "tests" / "studies" / "oscillator");
     EXPECT_FALSE(effectOf(finding, {"spring.return", "friction.coulomb", "drag.quadratic"}));
-    ASSERT_FALSE(finding.remainders.empty());
-    const Remainder& law = finding.remainders.front();
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    const Remainder& law = finding.unexplained.remainders.front();
     EXPECT_EQ(law.node, "drive.flange");
-    EXPECT_EQ(law.proposedClass, "Analogon.Effects.Proposals.HardeningSpring") << law.proposedEquation;
+    EXPECT_EQ(law.proposal.className, "Analogon.Effects.Proposals.HardeningSpring") << law.proposal.equation;
     EXPECT_GT(validationError(finding.baseline), 2);
-    EXPECT_LT(law.errorValidateWith, 0.3);
+    EXPECT_LT(law.proposal.errors.validate, 0.3);
 }
 
 // Two tanks, one above the other, from blocks of the study's own on a connector of its own. The tanks overflow.
@@ -298,11 +299,11 @@ TEST(CascadedTanks, LackWhatSetsInAtAHighLevel) {
     const Finding finding = discovered(root / "tests" / "studies" / "tanks");
     EXPECT_TRUE(finding.effects.empty());
     EXPECT_EQ(finding.kind, FindingKind::Unexplained);
-    ASSERT_FALSE(finding.remainders.empty());
-    const Remainder& law = finding.remainders.front();
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    const Remainder& law = finding.unexplained.remainders.front();
     EXPECT_NE(law.node, "output y") << "it is no fault of the level sensor";
-    EXPECT_NE(law.proposedEquation.find("max(0, "), std::string::npos) << law.proposedEquation;
-    EXPECT_LT(law.errorValidateWith, 0.85 * validationError(finding.baseline));
+    EXPECT_NE(law.proposal.equation.find("max(0, "), std::string::npos) << law.proposal.equation;
+    EXPECT_LT(law.proposal.errors.validate, 0.85 * validationError(finding.baseline));
 }
 
 }  // namespace

@@ -132,14 +132,14 @@ int tell(const RunResult& result, const Options& options, ResultsPlace& place, c
     if (!written.diagnostics().empty()) std::cerr << format(written.diagnostics()) << std::endl;
     std::cout << "report: " << visible((options.out / "report.html").string()) << std::endl;
     if (isInterrupted) {
-        std::cerr << (result.finding.interrupted ? "interrupted; the best result so far was written"
+        std::cerr << (result.finding.end.interrupted ? "interrupted; the best result so far was written"
                       : leavesTracesOut(result.finding, Traces::Short)
                           ? "interrupted when the work was done; the results were written but for the traces"
                           : "interrupted when the work was done; the results were written")
                   << std::endl;
         return interrupted;
     }
-    if (result.finding.interrupted)
+    if (result.finding.end.interrupted)
         std::cerr << "the search ended at its limit of work; the best result so far was written" << std::endl;
     if (options.command != Command::Fit || result.finding.final.status != FitStatus::Failed) return done;
     return fails({numericalError(result.finding.final.message, phrase("give other start values, or narrower bounds"))});

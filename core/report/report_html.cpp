@@ -97,9 +97,10 @@ public:
         if (head.shows(ReportSection::Residuals)) residuals();
         if (head.shows(ReportSection::Tried)) candidates();
         if (head.shows(ReportSection::Remarks)) remarks();
-        out_ += fmt::format("<footer>Analogon {} · {}{}</footer>\n</main></body></html>\n",
-                            escapeHtml(context_.version), escapeHtml(context_.command),
-                            finding_.seconds > 0 ? fmt::format(" · {} s", numberText(finding_.seconds, 3)) : "");
+        out_ +=
+            fmt::format("<footer>Analogon {} · {}{}</footer>\n</main></body></html>\n", escapeHtml(context_.version),
+                        escapeHtml(context_.command),
+                        finding_.end.seconds > 0 ? fmt::format(" · {} s", numberText(finding_.end.seconds, 3)) : "");
         return std::move(out_);
     }
 
@@ -119,7 +120,7 @@ private:
                                                                                  : "good";
             out_ += chip(name(finding_.kind), tone);
         }
-        if (finding_.interrupted && finding_.kind != FindingKind::Interrupted) out_ += chip("interrupted", "warn");
+        if (finding_.end.interrupted && finding_.kind != FindingKind::Interrupted) out_ += chip("interrupted", "warn");
         out_ += "</div>\n<p class=\"summary\">" + prose(summaryWords(finding_, context_.command)) + "</p>\n";
         out_ += "<div class=\"figures\">";
         figure("Error on validation data", Role::Validate);
@@ -243,8 +244,9 @@ private:
         out_ += fmt::format("<div class=\"card\"><h3>{} {}</h3>",
                             escapeHtml(effect.description.empty() ? effect.kind : effect.description),
                             chip(effect.kind, ""));
-        out_ += fmt::format("<p class=\"soft\">{}{} · {}{}</p>", ways[static_cast<int>(effect.way)], code(effect.at),
-                            code(effect.className), effect.instance.empty() ? "" : " as " + code(effect.instance));
+        out_ += fmt::format("<p class=\"soft\">{}{} · {}{}</p>", ways[static_cast<int>(effect.wired.way)],
+                            code(effect.at), code(effect.className),
+                            effect.wired.instance.empty() ? "" : " as " + code(effect.wired.instance));
         out_ += "<dl>";
         for (const EffectValue& value : effect.parameters)
             out_ += fmt::format("<dt>{}</dt><dd>{}{}</dd>", code(value.name),
@@ -269,7 +271,7 @@ private:
 
     void alternatives(const AddedEffect& effect) {
         std::string same, weaker;
-        for (const Alternative& other : effect.alternatives) {
+        for (const Alternative& other : effect.instead.effects) {
             std::string& to = other.equivalent ? same : weaker;
             to += fmt::format("<li>{} at {} <span class=\"soft\">(ΔBIC {})</span></li>", code(other.kind),
                               code(other.at), html(numberText(other.deltaBic)));
@@ -282,12 +284,12 @@ private:
     }
 
     void remainders() {
-        if (!finding_.remainders.empty()) {
+        if (!finding_.unexplained.remainders.empty()) {
             out_ += "<h2>What is still unexplained</h2>\n";
-            for (const Remainder& remainder : finding_.remainders)
+            for (const Remainder& remainder : finding_.unexplained.remainders)
                 out_ += "<div class=\"card\">" + escapeHtml(remainderWords(remainder)) + "</div>\n";
-            if (finding_.disturbance)
-                out_ += "<p>" + escapeHtml(disturbanceWords(*finding_.disturbance).english()) + "</p>\n";
+            if (finding_.unexplained.disturbance)
+                out_ += "<p>" + escapeHtml(disturbanceWords(*finding_.unexplained.disturbance).english()) + "</p>\n";
             if (const std::string words = proposedStudyWords(finding_); !words.empty())
                 out_ += "<p class=\"soft\">" + escapeHtml(words) + "</p>\n";
         }
@@ -492,7 +494,7 @@ private:
             if (a->round != b->round) return a->round < b->round;
             if ((a->verdict == Verdict::Chosen) != (b->verdict == Verdict::Chosen))
                 return a->verdict == Verdict::Chosen;
-            return a->score > b->score;
+            return a->screening.score > b->screening.score;
         };
         std::stable_sort(main.begin(), main.end(), better);
         std::stable_sort(rest.begin(), rest.end(), better);
@@ -526,8 +528,9 @@ private:
                 "<tr>{}<td class=\"name\">{}</td><td class=\"name\">{}</td>{}{}{}<td>{} <span "
                 "class=\"soft\">{}</span></td></tr>\n",
                 number(fmt::format("{}", candidate->round)), unbroken(candidate->kind),
-                unbroken(placeWords(candidate->at, candidate->channel)), number(html(numberText(candidate->score, 3))),
-                number(html(numberText(candidate->strength, 3))),
+                unbroken(placeWords(candidate->at, candidate->channel)),
+                number(html(numberText(candidate->screening.score, 3))),
+                number(html(numberText(candidate->screening.strength, 3))),
                 number(candidate->deltaBic ? html(numberText(*candidate->deltaBic, 4)) : ""),
                 chip(name(candidate->verdict), tone), escapeHtml(verdictWords(*candidate).english()));
         }

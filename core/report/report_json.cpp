@@ -96,7 +96,7 @@ Json effectJson(const AddedEffect& effect) {
         parameters[parameter.name] = {
             {"value", number(parameter.value)}, {"std", number(parameter.standardError)}, {"unit", parameter.unit}};
     Json alternatives = Json::array();
-    for (const Alternative& other : effect.alternatives)
+    for (const Alternative& other : effect.instead.effects)
         alternatives.push_back({{"kind", other.kind},
                                 {"at", other.at},
                                 {"delta_bic", number(other.deltaBic)},
@@ -104,9 +104,9 @@ Json effectJson(const AddedEffect& effect) {
     const Evidence& evidence = effect.evidence;
     Json json{{"kind", effect.kind},
               {"class", effect.className},
-              {"way", name(effect.way)},
+              {"way", name(effect.wired.way)},
               {"at", effect.at},
-              {"instance", effect.instance},
+              {"instance", effect.wired.instance},
               {"description", effect.description},
               {"parameters", parameters},
               {"confidence", name(effect.confidence)},
@@ -118,8 +118,8 @@ Json effectJson(const AddedEffect& effect) {
                 {"error_percent_before", number(evidence.errorPercentBefore)},
                 {"error_percent_after", number(evidence.errorPercentAfter)}}},
               {"alternatives", alternatives},
-              {"values_instead", std::vector<std::string>(effect.valuesInstead.begin(), effect.valuesInstead.end())}};
-    if (!effect.channel.empty()) json["channel"] = effect.channel;
+              {"values_instead", std::vector<std::string>(effect.instead.values.begin(), effect.instead.values.end())}};
+    if (!effect.wired.channel.empty()) json["channel"] = effect.wired.channel;
     if (effect.prediction)
         json["prediction"] = {{"error_percent_before", number(effect.prediction->errorPercentBefore)},
                               {"error_percent_after", number(effect.prediction->errorPercentAfter)},
@@ -133,14 +133,14 @@ Json candidateJson(const CandidateResult& candidate) {
               {"at", candidate.at},
               {"class", candidate.className},
               {"round", candidate.round},
-              {"score", number(candidate.score)},
-              {"strength", number(candidate.strength)},
+              {"score", number(candidate.screening.score)},
+              {"strength", number(candidate.screening.strength)},
               {"verdict", name(candidate.verdict == Verdict::Failed ? Verdict::NotSignificant : candidate.verdict)}};
     if (candidate.verdict != Verdict::Chosen) json["reason"] = verdictWords(candidate).english();
     if (candidate.verdict == Verdict::Failed) json["failure"] = candidate.failure;
     if (candidate.deltaBic) json["delta_bic"] = number(*candidate.deltaBic);
     if (!candidate.channel.empty()) json["channel"] = candidate.channel;
-    if (candidate.verdict == Verdict::Absorbed) json["absorbed_by"] = candidate.absorbedBy;
+    if (candidate.verdict == Verdict::Absorbed) json["absorbed_by"] = candidate.screening.absorbedBy;
     return json;
 }
 
@@ -150,20 +150,22 @@ Json remainderJson(const Remainder& remainder) {
         correlates.push_back({{"variable", correlate.variable}, {"correlation", number(correlate.correlation)}});
     return {{"output", remainder.output},
             {"node", remainder.node},
-            {"equivalent_nodes", remainder.equalNodes},
+            {"equivalent_nodes", remainder.proposal.equalNodes},
             {"experiment", remainder.experiment},
             {"evidence", number(remainder.evidence)},
             {"from", number(remainder.from)},
             {"to", number(remainder.to)},
             {"moves_with", correlates},
-            {"proposed_equation", remainder.proposedEquation},
-            {"proposed_class", remainder.proposedClass},
-            {"proposed_block", remainder.proposedBlock},
+            {"proposed_equation", remainder.proposal.equation},
+            {"proposed_class", remainder.proposal.className},
+            {"proposed_block", remainder.proposal.block},
             {"error_percent_with_proposal",
-             {{"fit", number(remainder.errorFitWith < 0 ? std::nan("") : remainder.errorFitWith)},
-              {"validate", number(remainder.errorValidateWith < 0 ? std::nan("") : remainder.errorValidateWith)},
+             {{"fit", number(remainder.proposal.errors.fit < 0 ? std::nan("") : remainder.proposal.errors.fit)},
+              {"validate",
+               number(remainder.proposal.errors.validate < 0 ? std::nan("") : remainder.proposal.errors.validate)},
               {"validate_without",
-               number(remainder.errorValidateWithout < 0 ? std::nan("") : remainder.errorValidateWithout)}}}};
+               number(remainder.proposal.errorValidateWithout < 0 ? std::nan("")
+                                                                  : remainder.proposal.errorValidateWithout)}}}};
 }
 
 }  // namespace
@@ -175,27 +177,27 @@ std::string reportJson(const Finding& finding, const ReportContext& context) {
     json["title"] = context.title;
     json["program"] = {{"name", "Analogon"}, {"version", context.version}, {"command", context.command}};
     json["summary"] = summaryWords(finding, context.command);
-    json["interrupted"] = finding.interrupted;
-    json["seconds"] = number(finding.seconds);
+    json["interrupted"] = finding.end.interrupted;
+    json["seconds"] = number(finding.end.seconds);
     json["baseline"] = stateJson(finding.baseline);
     json["effects"] = Json::array();
     for (const AddedEffect& effect : finding.effects) json["effects"].push_back(effectJson(effect));
     json["candidates"] = Json::array();
     for (const CandidateResult& candidate : finding.candidates) json["candidates"].push_back(candidateJson(candidate));
-    if (!finding.remainders.empty()) {
-        json["remainder"] = remainderJson(finding.remainders.front());
-        if (finding.remainders.size() > 1) {
+    if (!finding.unexplained.remainders.empty()) {
+        json["remainder"] = remainderJson(finding.unexplained.remainders.front());
+        if (finding.unexplained.remainders.size() > 1) {
             json["remainders"] = Json::array();
-            for (const Remainder& remainder : finding.remainders)
+            for (const Remainder& remainder : finding.unexplained.remainders)
                 json["remainders"].push_back(remainderJson(remainder));
         }
     }
-    if (finding.disturbance)
-        json["disturbance"] = {{"node", finding.disturbance->node},
-                               {"size", number(finding.disturbance->size)},
-                               {"unit", finding.disturbance->unit},
-                               {"time_constant", number(finding.disturbance->timeConstant)}};
-    if (finding.proposed) json["with_proposals"] = stateJson(finding.proposed->state);
+    if (finding.unexplained.disturbance)
+        json["disturbance"] = {{"node", finding.unexplained.disturbance->node},
+                               {"size", number(finding.unexplained.disturbance->size)},
+                               {"unit", finding.unexplained.disturbance->unit},
+                               {"time_constant", number(finding.unexplained.disturbance->timeConstant)}};
+    if (finding.unexplained.proposed) json["with_proposals"] = stateJson(finding.unexplained.proposed->state);
     if (!finding.nextExperiment.empty()) json["next_experiment"] = finding.nextExperiment;
     json["warnings"] = finding.warnings;
     json["final"] = stateJson(finding.final.experiments.empty() ? finding.baseline : finding.final);

@@ -73,7 +73,7 @@ std::string effectLines(const Finding& finding) {
         for (const EffectValue& value : effect.parameters)
             text += fmt::format("      {} = {}{}\n", value.name, valueText(value.value, value.standardError),
                                 behindNumber(value.unit));
-        for (const Alternative& other : effect.alternatives)
+        for (const Alternative& other : effect.instead.effects)
             if (other.equivalent)
                 text += fmt::format("      this data cannot tell it from {} at {}\n", other.kind, other.at);
     }
@@ -137,8 +137,9 @@ std::string summaryText(const Finding& finding) {
     text += parameterTable(last);
     text += intervalTable(last);
     if (!finding.effects.empty()) text += "\nAdded\n" + effectLines(finding);
-    for (const Remainder& remainder : finding.remainders) text += "\n" + remainderWords(remainder) + "\n";
-    if (finding.disturbance) text += "\n" + disturbanceWords(*finding.disturbance).english() + "\n";
+    for (const Remainder& remainder : finding.unexplained.remainders) text += "\n" + remainderWords(remainder) + "\n";
+    if (finding.unexplained.disturbance)
+        text += "\n" + disturbanceWords(*finding.unexplained.disturbance).english() + "\n";
     if (const std::string words = proposedStudyWords(finding); !words.empty()) text += "\n" + words + "\n";
     if (!finding.nextExperiment.empty()) text += "\nNext experiment: " + finding.nextExperiment + "\n";
     for (const std::string& warning : finding.warnings) text += "\nNote: " + warning + "\n";

@@ -74,7 +74,7 @@ std::string indicatedWords(const std::vector<AddedEffect>& effects) {
 }
 
 const char* howEnded(const Finding& finding) {
-    return finding.isAtLimitOfWork ? "ended at its limit of work" : "was interrupted";
+    return finding.end.isAtLimitOfWork ? "ended at its limit of work" : "was interrupted";
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ double errorPercent(const ModelState& state, Role role) {
 std::string effectWords(const AddedEffect& effect) {
     std::string what = lowerFirst(effect.description);
     if (effect.confidence == Confidence::Indicated) what += what.empty() ? "indicated" : ", indicated";
-    return fmt::format("{} at {}{}", effect.kind, placeWords(effect.at, effect.channel),
+    return fmt::format("{} at {}{}", effect.kind, placeWords(effect.at, effect.wired.channel),
                        what.empty() ? "" : " (" + what + ")");
 }
 
@@ -113,22 +113,22 @@ Text confidenceWords(const AddedEffect& effect) {
 std::string summaryWords(const Finding& finding, const std::string& command) {
     const ModelState& state = finding.final.experiments.empty() ? finding.baseline : finding.final;
     if (command == "simulate") {
-        if (finding.interrupted) return "The simulation was interrupted: it ends before the recordings do.";
+        if (finding.end.interrupted) return "The simulation was interrupted: it ends before the recordings do.";
         const bool hasOpenStarts = std::any_of(state.experiments.begin(), state.experiments.end(),
                                                [](const ExperimentState& e) { return !e.starts.empty(); });
         return fmt::format("The model was simulated as it stands{}. {}",
                            hasOpenStarts ? ", from start values that each recording had to tell itself" : "",
                            plainErrorWords(state));
     }
-    if (command == "fit" && finding.interrupted)
+    if (command == "fit" && finding.end.interrupted)
         return "The fit was interrupted: these are the best parameters so far. " + plainErrorWords(state);
     if (command == "fit") return "The parameters of the model were fitted. " + plainErrorWords(state);
-    if (finding.interrupted && !hasChanged(finding))
+    if (finding.end.interrupted && !hasChanged(finding))
         return fmt::format("The search {} before an effect was accepted. {}", howEnded(finding),
                            plainErrorWords(state));
 
-    if (!finding.notSearched.empty() && finding.remainders.empty())
-        return "No effect was looked for: " + finding.notSearched.english() + ". " + plainErrorWords(state);
+    if (!finding.end.notSearched.empty() && finding.unexplained.remainders.empty())
+        return "No effect was looked for: " + finding.end.notSearched.english() + ". " + plainErrorWords(state);
 
     std::string text;
     std::vector<std::string> effects;
@@ -152,7 +152,7 @@ std::string summaryWords(const Finding& finding, const std::string& command) {
         case FindingKind::Interrupted:
             break;
         case FindingKind::Unexplained:
-            text = (finding.notSearched.empty()
+            text = (finding.end.notSearched.empty()
                         ? "What the model leaves over is not noise, and no known effect explains it. "
                         : "What the model leaves over is not noise, and no effect was looked for. ") +
                    plainErrorWords(state);
@@ -160,11 +160,11 @@ std::string summaryWords(const Finding& finding, const std::string& command) {
     }
     std::set<std::string> values;
     for (const AddedEffect& effect : finding.effects)
-        values.insert(effect.valuesInstead.begin(), effect.valuesInstead.end());
+        values.insert(effect.instead.values.begin(), effect.instead.values.end());
     if (!values.empty())
         text += fmt::format(" Another value of what the study holds would explain as much as {}: {}.",
                             finding.effects.size() == 1 ? "the effect" : "one of the effects", fmt::join(values, "; "));
-    if (finding.interrupted) text += fmt::format(" The search {}; this is the best so far.", howEnded(finding));
+    if (finding.end.interrupted) text += fmt::format(" The search {}; this is the best so far.", howEnded(finding));
     return text;
 }
 
@@ -180,9 +180,9 @@ Text verdictWords(const CandidateResult& candidate) {
         case Verdict::NotSignificant:
             return phrase("gains no more than chance would");
         case Verdict::Absorbed:
-            return candidate.absorbedBy.empty()
+            return candidate.screening.absorbedBy.empty()
                        ? phrase("the data cannot show it: it only shifts parameters")
-                       : phrase("the data cannot show it: it only shifts {}", listed(candidate.absorbedBy));
+                       : phrase("the data cannot show it: it only shifts {}", listed(candidate.screening.absorbedBy));
         case Verdict::WrongSign:
             return phrase("would need a strength of the wrong physical sign");
         case Verdict::FailsHeldOut:
@@ -209,24 +209,27 @@ std::string remainderWords(const Remainder& remainder) {
     else
         text += " is not noise";
     if (!remainder.node.empty()) text += fmt::format("; it acts at {}", remainder.node);
-    if (!remainder.equalNodes.empty()) text += fmt::format(", or as well at {}", fmt::join(remainder.equalNodes, ", "));
+    if (!remainder.proposal.equalNodes.empty())
+        text += fmt::format(", or as well at {}", fmt::join(remainder.proposal.equalNodes, ", "));
     std::vector<std::string> variables;
     for (const Correlate& correlate : remainder.movesWith)
         if (correlate.isWorthAWord())
             variables.push_back(fmt::format("{} (correlation {:.2f})", correlate.variable, correlate.correlation));
     if (!variables.empty()) text += "; it moves with " + listed(variables).english();
     text += '.';
-    const bool isWorse = remainder.worsensValidation();
-    if (!remainder.proposedEquation.empty())
+    const bool isWorse = remainder.proposal.worsensValidation();
+    if (!remainder.proposal.equation.empty())
         text += (isWorse ? " Proposed, but not borne out by validation: " : " Proposed: ") +
-                remainder.proposedEquation.english();
-    if (!remainder.proposedClass.empty())
-        text += fmt::format(" (block {}{})", remainder.proposedClass,
-                            remainder.proposedBlock.empty() ? "" : ", written to proposed.mo");
-    if (remainder.errorFitWith >= 0) {
-        text += fmt::format("; with it the error would be {} on the fitted data", percentText(remainder.errorFitWith));
-        const auto [without, with] = percentTexts(remainder.errorValidateWithout, remainder.errorValidateWith);
-        if (remainder.errorValidateWith >= 0) text += fmt::format(" and {} on validation data", with);
+                remainder.proposal.equation.english();
+    if (!remainder.proposal.className.empty())
+        text += fmt::format(" (block {}{})", remainder.proposal.className,
+                            remainder.proposal.block.empty() ? "" : ", written to proposed.mo");
+    if (remainder.proposal.errors.fit >= 0) {
+        text += fmt::format("; with it the error would be {} on the fitted data",
+                            percentText(remainder.proposal.errors.fit));
+        const auto [without, with] =
+            percentTexts(remainder.proposal.errorValidateWithout, remainder.proposal.errors.validate);
+        if (remainder.proposal.errors.validate >= 0) text += fmt::format(" and {} on validation data", with);
         if (isWorse)
             text += fmt::format(", worse than the {} without it: it describes the fitted recordings only", without);
     }
@@ -234,7 +237,7 @@ std::string remainderWords(const Remainder& remainder) {
 }
 
 std::string proposedStudyWords(const Finding& finding) {
-    if (!finding.proposed) return {};
+    if (!finding.unexplained.proposed) return {};
     return "What is proposed is not in the completed study; the study with it, as it was fitted, is in study-proposed.";
 }
 

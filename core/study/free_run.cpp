@@ -111,7 +111,7 @@ Outcome<RunResult> runFreely(const Study& study, std::optional<double> stop, con
         RunResult result;
         result.finding.baseline = state;
         result.finding.final = std::move(state);
-        result.finding.seconds = secondsSince(begin);
+        result.finding.end.seconds = secondsSince(begin);
         result.completed = study;
         return {std::move(result), std::move(said)};
     });

@@ -83,15 +83,15 @@ Study withHeld(Study study, const std::vector<std::string>& inputs) {
 Study completedStudy(const Study& study, const Finding& finding) {
     Study completed = withHeld(withModel(study, finding.final), finding.heldInputs);
     for (const AddedEffect& e : finding.effects)
-        if (!e.newInput.empty()) mapInput(completed, e.newInput, e.channel);
+        if (!e.wired.newInput.empty()) mapInput(completed, e.wired.newInput, e.wired.channel);
     return completed;
 }
 
 /// The study with the equations that are proposed, too, their blocks beside those that it has.
 std::optional<Study> proposedStudy(const Study& study, const Finding& finding) {
-    if (!finding.proposed) return std::nullopt;
-    Study proposed = withHeld(withModel(study, finding.proposed->state), finding.heldInputs);
-    for (const auto& [input, channel] : finding.proposed->newInputs) mapInput(proposed, input, channel);
+    if (!finding.unexplained.proposed) return std::nullopt;
+    Study proposed = withHeld(withModel(study, finding.unexplained.proposed->state), finding.heldInputs);
+    for (const auto& [input, channel] : finding.unexplained.proposed->newInputs) mapInput(proposed, input, channel);
     if (const std::string blocks = proposedBlocks(finding); !blocks.empty()) {
         std::string& text = proposed.models[proposalFile];
         text += (text.empty() ? "" : "\n") + blocks;
@@ -132,7 +132,7 @@ Diagnostics failures(ModelState& state, bool isFitted) {
 
 /// What was found, and whether it is all.
 void markInterrupted(Finding& finding, bool isInterrupted) {
-    finding.interrupted = isInterrupted;
+    finding.end.interrupted = isInterrupted;
     if (leavesTracesOut(finding))
         finding.warnings.push_back(phrase("the traces are long and were not written, since the run was interrupted"));
 }
@@ -149,14 +149,15 @@ bool leavesTracesOut(const Finding& finding, Traces traces) {
     constexpr std::size_t most = 100'000;  // samples of outputs
     std::size_t count = 0;
     for (const ExperimentState& e : finding.baseline.experiments) count += e.time.size() * e.outputs.size();
-    const bool isStopped = finding.interrupted && !finding.isAtLimitOfWork;  // from outside: whoever did wants an end
+    const bool isStopped =
+        finding.end.interrupted && !finding.end.isAtLimitOfWork;  // from outside: whoever did wants an end
     return (isStopped || traces == Traces::Short) && count > most;
 }
 
 std::string proposedBlocks(const Finding& finding) {
     std::string text;
-    for (const Remainder& r : finding.remainders)
-        if (!r.proposedBlock.empty()) text += (text.empty() ? "" : "\n") + r.proposedBlock;
+    for (const Remainder& r : finding.unexplained.remainders)
+        if (!r.proposal.block.empty()) text += (text.empty() ? "" : "\n") + r.proposal.block;
     return text;
 }
 
@@ -199,7 +200,7 @@ Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const P
     const auto told = [&](bool isInterrupted) {
         RunResult result = fitted(study, *state);
         markInterrupted(result.finding, isInterrupted);
-        result.finding.seconds = secondsSince(begin);
+        result.finding.end.seconds = secondsSince(begin);
         return result;
     };
     if (!progress.stopRequested()) {
@@ -216,7 +217,7 @@ Outcome<RunResult> runDiscover(const Study& study, const RunOptions& options, co
     const auto told = [&study](Finding finding) {
         RunResult result;
         result.finding = std::move(finding);
-        markInterrupted(result.finding, result.finding.interrupted);
+        markInterrupted(result.finding, result.finding.end.interrupted);
         result.completed = completedStudy(study, result.finding);
         result.proposed = proposedStudy(study, result.finding);
         return result;

@@ -236,17 +236,17 @@ void members(Of& of, AddedEffect& e) {
     of.member("kind", e.kind);
     of.member("class", e.className);
     of.member("at", e.at);
-    of.choice("way", e.way);
-    of.member("instance", e.instance);
-    of.member("new_input", e.newInput);
-    of.member("channel", e.channel);
+    of.choice("way", e.wired.way);
+    of.member("instance", e.wired.instance);
+    of.member("new_input", e.wired.newInput);
+    of.member("channel", e.wired.channel);
     of.member("description", e.description);
     of.member("parameters", e.parameters);
     of.member("evidence", e.evidence);
     of.laterChoice("confidence", e.confidence);
     of.member("prediction", e.prediction);
-    of.member("alternatives", e.alternatives);
-    of.member("values_instead", e.valuesInstead);
+    of.member("alternatives", e.instead.effects);
+    of.member("values_instead", e.instead.values);
 }
 
 template <class Of>
@@ -254,11 +254,11 @@ void members(Of& of, CandidateResult& c) {
     of.member("kind", c.kind);
     of.member("at", c.at);
     of.member("class", c.className);
-    of.member("score", c.score);
-    of.member("strength", c.strength);
+    of.member("score", c.screening.score);
+    of.member("strength", c.screening.strength);
     of.member("delta_bic", c.deltaBic);
     of.choice("verdict", c.verdict);
-    of.member("absorbed_by", c.absorbedBy);
+    of.member("absorbed_by", c.screening.absorbedBy);
     of.member("round", c.round);
     of.member("failure", c.failure);
     of.member("reason", c.reason);
@@ -275,18 +275,18 @@ template <class Of>
 void members(Of& of, Remainder& r) {
     of.member("output", r.output);
     of.member("node", r.node);
-    of.member("equivalent_nodes", r.equalNodes);
+    of.member("equivalent_nodes", r.proposal.equalNodes);
     of.member("evidence", r.evidence);
     of.member("from", r.from);
     of.member("to", r.to);
     of.member("experiment", r.experiment);
     of.member("moves_with", r.movesWith);
-    of.member("proposed_equation", r.proposedEquation);
-    of.member("proposed_class", r.proposedClass);
-    of.member("proposed_block", r.proposedBlock);
-    of.member("error_fit_with", r.errorFitWith);
-    of.member("error_validate_with", r.errorValidateWith);
-    of.member("error_validate_without", r.errorValidateWithout);
+    of.member("proposed_equation", r.proposal.equation);
+    of.member("proposed_class", r.proposal.className);
+    of.member("proposed_block", r.proposal.block);
+    of.member("error_fit_with", r.proposal.errors.fit);
+    of.member("error_validate_with", r.proposal.errors.validate);
+    of.member("error_validate_without", r.proposal.errorValidateWithout);
 }
 
 template <class Of>
@@ -310,15 +310,15 @@ void members(Of& of, Finding& f) {
     of.member("final", f.final);
     of.member("effects", f.effects);
     of.member("candidates", f.candidates);
-    of.member("remainders", f.remainders);
-    of.member("disturbance", f.disturbance);
-    of.member("proposed", f.proposed);
+    of.member("remainders", f.unexplained.remainders);
+    of.member("disturbance", f.unexplained.disturbance);
+    of.member("proposed", f.unexplained.proposed);
     of.member("next_experiment", f.nextExperiment);
     of.member("warnings", f.warnings);
-    of.member("not_searched", f.notSearched);
-    of.member("interrupted", f.interrupted);
-    of.member("at_limit_of_work", f.isAtLimitOfWork);
-    of.member("seconds", f.seconds);
+    of.member("not_searched", f.end.notSearched);
+    of.member("interrupted", f.end.interrupted);
+    of.member("at_limit_of_work", f.end.isAtLimitOfWork);
+    of.member("seconds", f.end.seconds);
 }
 
 // ---- values ----

@@ -528,16 +528,17 @@ std::string rodAndCircuit(const EffectClass* effect) {
   connect(ammeter.i, i);
   connect(voltmeter.v, T);
 )";
-    const bool insert = effect && effect->way == Way::Insert;
+    const bool insert = effect && effect->placement.way == Way::Insert;
     const bool onRod = effect && isOf(*effect, "Translation");
     text += insert && onRod
                 ? "  connect(first.flange_b, effect.flange_a);\n  connect(effect.flange_b, second.flange_a);\n"
                 : "  connect(first.flange_b, second.flange_a);\n";
     text += insert && !onRod ? "  connect(lead.n, effect.p);\n  connect(effect.n, ammeter.p);\n"
                              : "  connect(lead.n, ammeter.p);\n";
-    if (effect && effect->way == Way::Attach)
-        text += "  connect(effect." + effect->ports[0] + (onRod ? ", first.flange_b);\n" : ", load.p);\n");
-    if (effect && effect->way == Way::Bridge) text += "  connect(effect.p, load.p);\n  connect(effect.n, store.p);\n";
+    if (effect && effect->placement.way == Way::Attach)
+        text += "  connect(effect." + effect->placement.ports[0] + (onRod ? ", first.flange_b);\n" : ", load.p);\n");
+    if (effect && effect->placement.way == Way::Bridge)
+        text += "  connect(effect.p, load.p);\n  connect(effect.n, store.p);\n";
     return text;
 }
 
@@ -546,9 +547,10 @@ std::string rodAndCircuit(const EffectClass* effect) {
 std::string rig(const EffectClass* effect, bool blown = false) {
     blown = blown || (effect && isBlown(*effect));
     if (effect && (isOf(*effect, "Translation") || isOf(*effect, "Electric"))) return rodAndCircuit(effect);
-    const bool attach = effect && effect->way == Way::Attach, insert = effect && effect->way == Way::Insert;
-    const bool signal = insert && !effect->signalSide.empty();
-    const bool specialise = effect && effect->way == Way::Specialise;
+    const bool attach = effect && effect->placement.way == Way::Attach,
+               insert = effect && effect->placement.way == Way::Insert;
+    const bool signal = insert && !effect->placement.signalSide.empty();
+    const bool specialise = effect && effect->placement.way == Way::Specialise;
     const auto of = [&](const char* base, const char* plain) {
         return specialise && effect->base == base ? effect->className : std::string(plain);
     };
@@ -581,17 +583,18 @@ std::string rig(const EffectClass* effect, bool blown = false) {
   connect(heater.i, i);
   connect(sensor.T, T);
 )";
-    const bool onFlange = (attach || (insert && !signal)) && effect->ports.front().starts_with("flange");
-    const std::string in = signal && effect->signalSide == "input" ? "effect.y" : "v";
-    const std::string out = signal && effect->signalSide == "output" ? "effect.y" : "speed.w";
+    const bool onFlange = (attach || (insert && !signal)) && effect->placement.ports.front().starts_with("flange");
+    const std::string in = signal && effect->placement.signalSide == "input" ? "effect.y" : "v";
+    const std::string out = signal && effect->placement.signalSide == "output" ? "effect.y" : "speed.w";
     if (signal) text += in == "v" ? "  connect(speed.w, effect.u);\n" : "  connect(v, effect.u);\n";
     text += "  connect(" + in + ", motor.v);\n  connect(" + in + ", heater.v);\n  connect(" + out + ", w);\n";
     if (attach)
-        text += "  connect(effect." + effect->ports[0] + (onFlange ? ", first.flange_b);\n" : ", element.solid);\n");
-    if (effect && effect->way == Way::Bridge) {
-        const bool isOfShafts = effect->ports[0].starts_with("flange");
-        text += fmt::format("  connect(effect.{}, {});\n  connect(effect.{}, {});\n", effect->ports[0],
-                            isOfShafts ? "first.flange_b" : "element.solid", effect->ports[1],
+        text += "  connect(effect." + effect->placement.ports[0] +
+                (onFlange ? ", first.flange_b);\n" : ", element.solid);\n");
+    if (effect && effect->placement.way == Way::Bridge) {
+        const bool isOfShafts = effect->placement.ports[0].starts_with("flange");
+        text += fmt::format("  connect(effect.{}, {});\n  connect(effect.{}, {});\n", effect->placement.ports[0],
+                            isOfShafts ? "first.flange_b" : "element.solid", effect->placement.ports[1],
                             isOfShafts ? "apart.flange_a" : "gas.port");
     }
     if (insert && !signal && onFlange)
@@ -602,9 +605,12 @@ std::string rig(const EffectClass* effect, bool blown = false) {
         text += "  connect(heater.heatPort, effect.port_a);\n  connect(effect.port_b, element.solid);\n";
     else
         text += "  connect(heater.heatPort, element.solid);\n";
-    if (specialise && !effect->node.empty()) text += "  connect(motor." + effect->node + ", element.solid);\n";
-    if (attach && !effect->channel.empty()) text += "  connect(gas_flow, effect." + effect->channel + ");\n";
-    if (specialise && !effect->channel.empty()) text += "  connect(gas_flow, element." + effect->channel + ");\n";
+    if (specialise && !effect->placement.node.empty())
+        text += "  connect(motor." + effect->placement.node + ", element.solid);\n";
+    if (attach && !effect->placement.channel.empty())
+        text += "  connect(gas_flow, effect." + effect->placement.channel + ");\n";
+    if (specialise && !effect->placement.channel.empty())
+        text += "  connect(gas_flow, element." + effect->placement.channel + ");\n";
     if (blown) text += "  connect(gas_flow, element.speed);\n";
     return text;
 }
@@ -626,10 +632,11 @@ TEST(CombinedEffects, AreEachOfThemWhereTheOthersAreOff) {
             std::string alone = rig(&*effect);
             const std::string component = effect->base.ends_with("Thermal") ? " heater(" : " motor(";
             const std::size_t at = alone.find(component) + component.size();
-            alone.insert(at, effect->strength + "=" + std::to_string(strengths.at(effect->strength)) + ", ");
+            alone.insert(at, effect->parameters.strength + "=" +
+                                 std::to_string(strengths.at(effect->parameters.strength)) + ", ");
             std::string both = alone;
             both.replace(both.find(name), name.size(), combined->qualifiedName);
-            if (combined->qualifiedName.ends_with("OfNode") && effect->node.empty())
+            if (combined->qualifiedName.ends_with("OfNode") && effect->placement.node.empty())
                 both += "  connect(motor.heatPort, element.solid);\n";
             const Recording single = run(alone, 2, 101, inputs), among = run(both, 2, 101, inputs);
             ASSERT_EQ(single.fault, "");

@@ -253,7 +253,7 @@ TEST(EffectAnnotations, AClassOfSeveralEffectsTakesTheParametersOfEach) {
             std::map<std::string, const Component*> of, own;
             collectVariables(*single, of);
             collectVariables(*c, own);
-            for (const auto& [parameter, unit] : effect->units) {
+            for (const auto& [parameter, unit] : effect->parameters.units) {
                 ASSERT_TRUE(own.contains(parameter)) << parameter;
                 ASSERT_TRUE(own[parameter]->binding && of[parameter]->binding) << parameter;
                 EXPECT_EQ(own[parameter]->isFinal, of[parameter]->isFinal) << parameter;
@@ -291,14 +291,14 @@ TEST(EffectAnnotations, TheStrengthIsAParameterThatIsZeroByDefault) {
         SCOPED_TRACE(e.className);
         std::map<std::string, const Component*> variables;
         collectVariables(*library().find(e.className), variables);
-        ASSERT_TRUE(variables.contains(e.strength));
-        const Component& strength = *variables[e.strength];
+        ASSERT_TRUE(variables.contains(e.parameters.strength));
+        const Component& strength = *variables[e.parameters.strength];
         EXPECT_EQ(strength.variability, syntax::Variability::Parameter);
         ASSERT_TRUE(strength.binding);
         EXPECT_EQ(strength.binding->kind, syntax::Expression::Kind::Number);
         EXPECT_EQ(strength.binding->number, 0);
-        for (const std::string& port : e.ports) EXPECT_TRUE(variables.contains(port)) << port;
-        EXPECT_EQ(e.channel.empty() || variables.contains(e.channel), true);
+        for (const std::string& port : e.placement.ports) EXPECT_TRUE(variables.contains(port)) << port;
+        EXPECT_EQ(e.placement.channel.empty() || variables.contains(e.placement.channel), true);
     }
 }
 
@@ -341,11 +341,11 @@ TEST(EffectAnnotations, TheTextsSpeakOfVariablesOfTheClass) {
             ASSERT_TRUE(parsed) << text;
             checkText(*parsed, variables, strength);
         };
-        for (const std::string& text : effect.secant) check(text, {});
-        for (const auto& [parameter, text] : effect.fixed) check(text, {});
+        for (const std::string& text : effect.trial.secant) check(text, {});
+        for (const auto& [parameter, text] : effect.parameters.fixed) check(text, {});
         // a shape may be told in terms of the strength that it is tried with
-        for (const auto& [parameter, values] : effect.shape)
-            for (const std::string& text : values) check(text, effect.strength);
+        for (const auto& [parameter, values] : effect.parameters.shape)
+            for (const std::string& text : values) check(text, effect.parameters.strength);
     }
 }
 
@@ -354,7 +354,7 @@ TEST(EffectAnnotations, ASpecialisedClassTakesTheParametersOfTheBasicOne) {
     ASSERT_TRUE(effects);
     int checked = 0;
     for (const EffectClass& effect : *effects) {
-        if (effect.way != Way::Specialise) continue;
+        if (effect.placement.way != Way::Specialise) continue;
         for (const LibraryClass* plain : library().classes()) {
             const std::string name = plain->qualifiedName.substr(plain->qualifiedName.rfind('.') + 1);
             if (!name.starts_with("Basic") || !library().isDerived(plain->qualifiedName, effect.base)) continue;

@@ -19,9 +19,9 @@ TEST(FindingWords, SpeakOfSeveralEffectsAsSeveral) {
 TEST(FindingWords, SayWhyNoEffectWasLookedForBesideAWrongReading) {
     Finding finding;
     finding.kind = FindingKind::Unexplained;
-    finding.notSearched = phrase("{} and {} seem to be exchanged", "T_in", "T_out");
+    finding.end.notSearched = phrase("{} and {} seem to be exchanged", "T_in", "T_out");
     EXPECT_EQ(findingWords(finding, RunKind::Discover).title, "No effect was looked for");
-    finding.remainders.resize(1);
+    finding.unexplained.remainders.resize(1);
     EXPECT_EQ(findingWords(finding, RunKind::Discover).title, "A recording is not what it says");
     EXPECT_EQ(findingWords(finding, RunKind::Discover).sentence, "T_in and T_out seem to be exchanged");
 }

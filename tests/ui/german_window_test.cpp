@@ -189,7 +189,7 @@ protected:
         RunResult result = sampleFinding(document(), "thermal.loss", "Analogon.Effects.Thermal.Loss",
                                          "Heat loss to the surroundings", "element.solid", "port", "G");
         Finding& finding = result.finding;
-        finding.effects.front().valuesInstead = {phrase("{} = {:.5g}{}", "element.C", 302.25, " J/K")};
+        finding.effects.front().instead.values = {phrase("{} = {:.5g}{}", "element.C", 302.25, " J/K")};
         finding.warnings = {
             phrase("{} rests at its lower bound {:.6g}", "heater.R", 0.15),
             phrase("{} of {:.5g} ± {:.2g}{} instead of {:.5g} explains as much: the data do not tell which is wrong",
@@ -203,12 +203,12 @@ protected:
         remainder.from = 3.5;
         remainder.to = 7.25;
         remainder.movesWith = {{"T_exhaust", 0.83}};
-        remainder.proposedEquation =
+        remainder.proposal.equation =
             withValues("Q_flow = a*T^2", std::vector<EffectValue>{{"a", 0.0125, 0.001, "W/K2"}});
-        remainder.errorFitWith = 1.25;
-        remainder.errorValidateWith = 2.5;
-        remainder.errorValidateWithout = 2.25;
-        finding.remainders = {remainder};
+        remainder.proposal.errors.fit = 1.25;
+        remainder.proposal.errors.validate = 2.5;
+        remainder.proposal.errorValidateWithout = 2.25;
+        finding.unexplained.remainders = {remainder};
         finding.nextExperiment = phrase(
             "input {} as {}, over {:.3g} s", "ctrl_var",
             phrase("a slow ramp from {} to {} and back", phrase("{:.3g}{}", 0.5, " V"), phrase("{:.3g}{}", 12.5, " V")),

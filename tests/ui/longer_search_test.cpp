@@ -31,7 +31,7 @@ TEST_F(LongerSearch, IsOfferedInTheResultAndInTheMenuAsLongAsItApplies) {
     EXPECT_FALSE(action()->isVisible());
     RunResult result = sampleFinding(document(), "thermal.radiation", "Analogon.Effects.Thermal.Radiation",
                                      "Heat radiation", "element.solid", "port", "epsilon");
-    result.finding.isAtLimitOfWork = true;
+    result.finding.end.isAtLimitOfWork = true;
     document().setResult(RunKind::Discover, result, document().study());
     ASSERT_TRUE(QTest::qWaitFor([&] { return results()->longerButton() != nullptr; }, 5000));
     EXPECT_TRUE(results()->longerButton()->isVisibleTo(results()));
@@ -42,7 +42,7 @@ TEST_F(LongerSearch, IsOfferedInTheResultAndInTheMenuAsLongAsItApplies) {
     EXPECT_FALSE(action()->isVisible());
     document().undoStack().undo();
     EXPECT_TRUE(QTest::qWaitFor([&] { return results()->longerButton() != nullptr; }, 5000));
-    result.finding.isAtLimitOfWork = false;
+    result.finding.end.isAtLimitOfWork = false;
     document().setResult(RunKind::Discover, result, document().study());
     EXPECT_TRUE(QTest::qWaitFor([&] { return results()->longerButton() == nullptr; }, 5000));
     EXPECT_FALSE(action()->isVisible());
@@ -55,7 +55,7 @@ TEST_F(LongerSearch, HasTenTimesTheWorkOfTheOneBefore) {
     window.controller().options().discover.trace = std::make_shared<DecisionTrace>();
     run(RunKind::Discover);
     ASSERT_TRUE(document().finding());
-    ASSERT_TRUE(document().finding()->isAtLimitOfWork);
+    ASSERT_TRUE(document().finding()->end.isAtLimitOfWork);
     EXPECT_EQ(window.statusBar()->currentMessage(), "Discover ended at its limit of work; what it has found is shown.");
     ASSERT_TRUE(QTest::qWaitFor([&] { return results()->longerButton() != nullptr; }, 5000));
     QStringList told;
@@ -78,9 +78,9 @@ TEST_F(LongerSearch, HasTenTimesTheWorkOfTheOneBefore) {
 TEST(FindingWords, SayThatASearchEndedAtItsLimitAndWasNotStopped) {
     Finding finding;
     finding.kind = FindingKind::Interrupted;
-    finding.interrupted = true;
+    finding.end.interrupted = true;
     EXPECT_EQ(findingWords(finding, RunKind::Discover).title, "Search stopped");
-    finding.isAtLimitOfWork = true;
+    finding.end.isAtLimitOfWork = true;
     EXPECT_EQ(findingWords(finding, RunKind::Discover).title, "Search ended at its limit of work");
     EXPECT_EQ(findingWords(finding, RunKind::Discover).sentence, "What it has found is shown; the rest was not tried.");
 }

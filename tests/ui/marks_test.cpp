@@ -54,10 +54,10 @@ TEST_F(Marks, TellWhatTheFitCameToAndWhatEndedAtABoundAndWhatAnEffectBrought) {
     EXPECT_EQ(marksOf(bounded)[0]->kind(), MarkKind::AtBound);
     EXPECT_TRUE(marksOf(bounded)[0]->toolTip().startsWith("At a bound after the fit:"));
     document().adoptCompleted("add");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return block(result.finding.effects[0].instance) != nullptr; }, 5000));
-    BlockItem* const effect = block(result.finding.effects[0].instance);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return block(result.finding.effects[0].wired.instance) != nullptr; }, 5000));
+    BlockItem* const effect = block(result.finding.effects[0].wired.instance);
     EXPECT_TRUE(effect->isMarked());
-    EXPECT_TRUE(marksOf(result.finding.effects[0].instance).empty()) << "its label says so already";
+    EXPECT_TRUE(marksOf(result.finding.effects[0].wired.instance).empty()) << "its label says so already";
     QGraphicsSceneHoverEvent hover(QEvent::GraphicsSceneHoverMove);
     hover.setPos(effect->body().center());
     window.findChild<DiagramScene*>()->sendEvent(effect, &hover);

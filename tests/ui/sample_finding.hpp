@@ -55,7 +55,7 @@ inline RunResult sampleFinding(const Document& document, const std::string& kind
     effect.kind = kind;
     effect.className = className;
     effect.at = connector;
-    effect.instance = instance;
+    effect.wired.instance = instance;
     effect.description = description;
     effect.parameters = {{strength, 0.0021, 3.1e-5, "N.m"}};
     effect.evidence = {812.0,
@@ -64,7 +64,8 @@ inline RunResult sampleFinding(const Document& document, const std::string& kind
                        0.93,
                        finding.baseline.experiments.front().errorPercent,
                        finding.final.experiments.front().errorPercent};
-    effect.alternatives = {{"actuator.deadzone", "input v_cmd", -610, false}, {"voltage.drop", "motor", -1538, true}};
+    effect.instead.effects = {{"actuator.deadzone", "input v_cmd", -610, false},
+                              {"voltage.drop", "motor", -1538, true}};
     finding.effects = {effect};
 
     const auto candidate = [&](const char* what, const char* where, double score, std::optional<double> bic,
@@ -72,10 +73,10 @@ inline RunResult sampleFinding(const Document& document, const std::string& kind
         CandidateResult c;
         c.kind = what;
         c.at = where;
-        c.score = score;
+        c.screening.score = score;
         c.deltaBic = bic;
         c.verdict = verdict;
-        if (verdict == Verdict::Absorbed) c.absorbedBy = {"motor.k"};
+        if (verdict == Verdict::Absorbed) c.screening.absorbedBy = {"motor.k"};
         finding.candidates.push_back(c);
     };
     candidate(kind.c_str(), connector.c_str(), 812, -1540.2, Verdict::Chosen);

@@ -362,7 +362,7 @@ TEST_F(Window, FindsTheMissingEffectAndShowsItOnTheDiagram) {
     EXPECT_EQ(document().modelText(), original) << "nothing is added before the user says so";
     grab("found");
     adopt();
-    BlockItem* item = panel<DiagramScene>()->block(effect.instance);
+    BlockItem* item = panel<DiagramScene>()->block(effect.wired.instance);
     ASSERT_TRUE(item) << "the effect is a block of the diagram";
     EXPECT_TRUE(item->isMarked());
     EXPECT_TRUE(document().modelText().contains(QString::fromStdString(effect.className)));
@@ -375,9 +375,9 @@ TEST_F(Window, FindsTheMissingEffectAndShowsItOnTheDiagram) {
 
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(document().modelText(), original) << "taken back byte for byte";
-    EXPECT_FALSE(panel<DiagramScene>()->block(effect.instance));
+    EXPECT_FALSE(panel<DiagramScene>()->block(effect.wired.instance));
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-    EXPECT_TRUE(panel<DiagramScene>()->block(effect.instance));
+    EXPECT_TRUE(panel<DiagramScene>()->block(effect.wired.instance));
 }
 
 TEST_F(Window, StaysAliveWhileItSearches) {

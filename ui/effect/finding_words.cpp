@@ -67,7 +67,7 @@ QString effectName(const AddedEffect& effect) {
 }
 
 QString effectTitle(const AddedEffect& effect) {
-    return ResultPanel::tr("%1 at %2").arg(effectName(effect), placeText(text(effect.at), text(effect.channel)));
+    return ResultPanel::tr("%1 at %2").arg(effectName(effect), placeText(text(effect.at), text(effect.wired.channel)));
 }
 
 FindingWords findingWords(const Finding& finding, RunKind kind) {
@@ -76,7 +76,7 @@ FindingWords findingWords(const Finding& finding, RunKind kind) {
         const bool converged = finding.final.status == FitStatus::Converged;
         const QString message = converged ? tr("The error cannot be made smaller by changing the fitted parameters.")
                                           : inWords(finding.final.message);
-        if (finding.interrupted || finding.final.status == FitStatus::Cancelled)
+        if (finding.end.interrupted || finding.final.status == FitStatus::Cancelled)
             return {tr("Fit stopped"), tr("The best parameters so far are shown."), false};
         std::vector<std::string> atBounds;
         for (const FitEstimate& e : finding.final.parameters)
@@ -86,10 +86,10 @@ FindingWords findingWords(const Finding& finding, RunKind kind) {
                     tr("Within the bounds the error cannot be made smaller; beyond them it could be."), false};
         return {converged ? tr("Parameters fitted") : tr("Fit did not converge"), message, converged};
     }
-    if (finding.interrupted && finding.isAtLimitOfWork && finding.effects.empty())
+    if (finding.end.interrupted && finding.end.isAtLimitOfWork && finding.effects.empty())
         return {tr("Search ended at its limit of work"), tr("What it has found is shown; the rest was not tried."),
                 false};
-    if (finding.interrupted && !finding.isAtLimitOfWork)
+    if (finding.end.interrupted && !finding.end.isAtLimitOfWork)
         return {tr("Search stopped"), tr("What was found until then is shown; the rest was not tried."), false};
     const bool isOne = finding.effects.size() == 1;
     const QString found = finding.effects.empty() ? QString()
@@ -113,23 +113,23 @@ FindingWords findingWords(const Finding& finding, RunKind kind) {
         case FindingKind::Interrupted:  // told above
             break;
     }
-    if (!finding.notSearched.empty() && finding.remainders.empty())
-        return {tr("No effect was looked for"), inWords(finding.notSearched), false};
-    if (!finding.notSearched.empty())
-        return {tr("A recording is not what it says"), inWords(finding.notSearched), false};
+    if (!finding.end.notSearched.empty() && finding.unexplained.remainders.empty())
+        return {tr("No effect was looked for"), inWords(finding.end.notSearched), false};
+    if (!finding.end.notSearched.empty())
+        return {tr("A recording is not what it says"), inWords(finding.end.notSearched), false};
     return {tr("Unexplained structure"), tr("The residual is not noise, and no effect of the library explains it."),
             false};
 }
 
 QString equivalentWords(const AddedEffect& effect) {
     QStringList equivalent;
-    for (const Alternative& a : effect.alternatives)
+    for (const Alternative& a : effect.instead.effects)
         if (a.equivalent) equivalent << ResultPanel::tr("%1 at %2").arg(text(a.kind), placeText(text(a.at)));
     QStringList words;
     if (!equivalent.isEmpty())
         words << ResultPanel::tr("This data cannot tell it from: %1.").arg(equivalent.join("; "));
     QStringList values;
-    for (const Text& value : effect.valuesInstead) values << inWords(value);
+    for (const Text& value : effect.instead.values) values << inWords(value);
     if (!values.isEmpty()) words << ResultPanel::tr("Another value would explain as much: %1.").arg(values.join("; "));
     return words.join(' ');
 }
@@ -141,7 +141,7 @@ RemainderWords remainderWords(const Remainder& r, const std::function<QString(co
     if (!r.experiment.empty()) words.where += ResultPanel::tr(" of %1").arg(named(r.experiment));
     if (!r.node.empty()) words.where += ResultPanel::tr(", acting at %1").arg(named(r.node));
     QStringList others;
-    for (const std::string& node : r.equalNodes) others << named(node);
+    for (const std::string& node : r.proposal.equalNodes) others << named(node);
     if (!others.isEmpty()) words.where += ResultPanel::tr(", or as well at %1").arg(others.join(", "));
     words.where += ".";
     QStringList moves;
@@ -149,17 +149,18 @@ RemainderWords remainderWords(const Remainder& r, const std::function<QString(co
         if (c.isWorthAWord())
             moves << QStringLiteral("%1 (%2)").arg(text(c.variable), style::numberText(c.correlation, 2));
     if (!moves.isEmpty()) words.movesWith = ResultPanel::tr("It moves with %1.").arg(moves.join(", "));
-    if (r.proposedEquation.empty()) return words;
-    words.proposal = ResultPanel::tr("Proposed, not added: %1").arg(inWords(r.proposedEquation));
+    if (r.proposal.equation.empty()) return words;
+    words.proposal = ResultPanel::tr("Proposed, not added: %1").arg(inWords(r.proposal.equation));
     QStringList facts;
-    if (!r.proposedClass.empty()) facts << ResultPanel::tr("Block %1").arg(text(r.proposedClass));
-    if (r.errorFitWith >= 0)
+    if (!r.proposal.className.empty()) facts << ResultPanel::tr("Block %1").arg(text(r.proposal.className));
+    if (r.proposal.errors.fit >= 0)
+        facts << ResultPanel::tr("with it the error would be %1 on fitted data")
+                     .arg(style::percentText(r.proposal.errors.fit));
+    if (r.proposal.errors.validate >= 0)
+        facts << ResultPanel::tr("%1 on validation data").arg(style::percentText(r.proposal.errors.validate));
+    if (r.proposal.worsensValidation())
         facts
-            << ResultPanel::tr("with it the error would be %1 on fitted data").arg(style::percentText(r.errorFitWith));
-    if (r.errorValidateWith >= 0)
-        facts << ResultPanel::tr("%1 on validation data").arg(style::percentText(r.errorValidateWith));
-    if (r.worsensValidation())
-        facts << ResultPanel::tr("worse than the %1 without it").arg(style::percentText(r.errorValidateWithout));
+            << ResultPanel::tr("worse than the %1 without it").arg(style::percentText(r.proposal.errorValidateWithout));
     if (!facts.isEmpty()) words.proposalFacts = facts.join(", ") + ".";
     return words;
 }

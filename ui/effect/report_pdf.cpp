@@ -113,14 +113,15 @@ QString effectsPart(const Finding& finding) {
 
 QString unexplainedPart(const Finding& finding) {
     QString html;
-    for (const Remainder& r : finding.remainders) {
+    for (const Remainder& r : finding.unexplained.remainders) {
         const RemainderWords words =
             remainderWords(r, [](const std::string& name) { return placeOf(QString::fromStdString(name)); });
         html += "<h2>" + words.heading.toHtmlEscaped() + "</h2>";
         for (const QString& sentence : {words.where, words.movesWith, words.proposal, words.proposalFacts})
             if (!sentence.isEmpty()) html += "<p>" + sentence.toHtmlEscaped() + "</p>";
     }
-    if (finding.disturbance) html += "<p>" + inWords(disturbanceWords(*finding.disturbance)).toHtmlEscaped() + "</p>";
+    if (finding.unexplained.disturbance)
+        html += "<p>" + inWords(disturbanceWords(*finding.unexplained.disturbance)).toHtmlEscaped() + "</p>";
     if (!finding.nextExperiment.empty())
         html += "<h2>" + tr("Next experiment") + "</h2><p>" + inWords(finding.nextExperiment).toHtmlEscaped() + "</p>";
     return html;
@@ -130,7 +131,7 @@ QString triedPart(const Finding& finding) {
     if (finding.candidates.empty()) return {};
     HtmlTable tried({tr("Effect"), tr("At"), tr("Screening"), tr("ΔBIC"), tr("Verdict")});
     for (const CandidateResult& c : finding.candidates)
-        tried.add({text(c.kind), placeText(text(c.at), text(c.channel)), number(c.score, 3),
+        tried.add({text(c.kind), placeText(text(c.at), text(c.channel)), number(c.screening.score, 3),
                    c.deltaBic ? number(*c.deltaBic, 3) : QString(), verdictCell(c)});
     return "<h2>" + tr("What was tried") + "</h2>" + tried.html();
 }

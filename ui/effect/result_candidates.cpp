@@ -54,15 +54,15 @@ QTreeWidgetItem* ResultPanel::addCandidate(const CandidateResult& c) {
     const auto text = [](const std::string& s) { return QString::fromStdString(s); };
     const LibraryClass* cls = document_.library().find(c.className);
     const QString what = cls ? shortDescription(text(cls->definition->description)) : QString();
-    auto* item = new QTreeWidgetItem(
-        QStringList{what.isEmpty() ? text(c.kind) : what, placeText(text(c.at), text(c.channel)), evidenceText(c.score),
-                    c.deltaBic ? evidenceText(*c.deltaBic) : QString(), verdictText(c.verdict)});
+    auto* item = new QTreeWidgetItem(QStringList{
+        what.isEmpty() ? text(c.kind) : what, placeText(text(c.at), text(c.channel)), evidenceText(c.screening.score),
+        c.deltaBic ? evidenceText(*c.deltaBic) : QString(), verdictText(c.verdict)});
     item->setData(0, KindRole, text(c.kind));
     item->setData(1, KindRole, placeOf(text(c.at)));
     item->setData(2, KindRole, text(c.className));
     item->setData(3, KindRole, text(c.at));
     item->setData(0, RoundRole, c.round);
-    if (std::isfinite(c.score)) item->setData(Screening, FigureRole, c.score);
+    if (std::isfinite(c.screening.score)) item->setData(Screening, FigureRole, c.screening.score);
     if (c.deltaBic && std::isfinite(*c.deltaBic)) item->setData(DeltaBic, FigureRole, *c.deltaBic);
     item->setData(Judgement, FigureRole, static_cast<int>(c.verdict));
     item->setToolTip(0, QStringList{item->text(0), text(c.kind), text(c.className)}.join('\n'));

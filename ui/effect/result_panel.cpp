@@ -144,7 +144,7 @@ void ResultPanel::addHeadline(const Finding& finding) {
     headline_->setPalette(tinted);
     column_->addWidget(headline_);
     addText(h.sentence);
-    if (finding.isAtLimitOfWork && document_.resultKind() == RunKind::Discover && !document_.isResultStale()) {
+    if (finding.end.isAtLimitOfWork && document_.resultKind() == RunKind::Discover && !document_.isResultStale()) {
         longer_ = new QPushButton(tr("Search ten times as long"), body_);
         longer_->setObjectName("search-longer");
         longer_->setToolTip(tr("Discover again, with ten times the work that it had"));
@@ -260,7 +260,7 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
 
     if (const QString others = equivalentWords(effect); !others.isEmpty()) addText(others, true);
     auto* show = new QPushButton(tr("Show in the diagram"), body_);
-    connect(show, &QPushButton::clicked, this, [this, instance = text(effect.instance), at = text(effect.at)] {
+    connect(show, &QPushButton::clicked, this, [this, instance = text(effect.wired.instance), at = text(effect.at)] {
         // Before it is added there is its place alone.
         Q_EMIT effectChosen(document_.diagram().find(instance.toStdString()) ? instance : placeOf(at));
     });
@@ -268,7 +268,7 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
 }
 
 void ResultPanel::addRemainder(const Finding& finding) {
-    for (const Remainder& r : finding.remainders) {
+    for (const Remainder& r : finding.unexplained.remainders) {
         const RemainderWords words = remainderWords(r, [this](const std::string& name) {
             return linkedWords(document_, Text(placeOf(text(name)).toStdString()));
         });
@@ -279,10 +279,10 @@ void ResultPanel::addRemainder(const Finding& finding) {
         addText(words.proposal);
         if (words.proposalFacts.isEmpty()) continue;
         QLabel* label = addText(words.proposalFacts, true);
-        if (!r.proposedBlock.empty())  // written for this model alone: no library has it to look up
-            label->setToolTip("<pre>" + text(r.proposedBlock).toHtmlEscaped() + "</pre>");
+        if (!r.proposal.block.empty())  // written for this model alone: no library has it to look up
+            label->setToolTip("<pre>" + text(r.proposal.block).toHtmlEscaped() + "</pre>");
     }
-    if (finding.disturbance) addText(inWords(disturbanceWords(*finding.disturbance)));
+    if (finding.unexplained.disturbance) addText(inWords(disturbanceWords(*finding.unexplained.disturbance)));
     addProposalAdoption(finding);
     if (!finding.nextExperiment.empty()) {
         addHeading(tr("Next experiment"));
@@ -302,8 +302,8 @@ void ResultPanel::addButton(QPushButton* button) {
 void ResultPanel::addProposalAdoption(const Finding& finding) {
     const RunResult* result = document_.result();
     if (!result || !result->proposed || document_.isResultStale()) return;
-    const auto equations = std::count_if(finding.remainders.begin(), finding.remainders.end(),
-                                         [](const Remainder& r) { return !r.proposedClass.empty(); });
+    const auto equations = std::count_if(finding.unexplained.remainders.begin(), finding.unexplained.remainders.end(),
+                                         [](const Remainder& r) { return !r.proposal.className.empty(); });
     auto* button = new QPushButton(
         equations > 1 ? tr("Add the equations to the model") : tr("Add the equation to the model"), body_);
     button->setObjectName("adoptProposed");

@@ -288,7 +288,7 @@ void RunController::conclude(RunKind kind, const Study& ranOn, unsigned long rev
                          .toStdString())});
         return Q_EMIT concluded(tr("%1: the study changed meanwhile, result dropped.").arg(name));
     }
-    const bool isStopped = outcome->finding.interrupted || run_.isCancelling();
+    const bool isStopped = outcome->finding.end.interrupted || run_.isCancelling();
     const double seconds = static_cast<double>(clock_.elapsed()) / 1000;
     Diagnostics messages = messagesOf(*outcome);
     for (const Diagnostic& d : outcome.diagnostics()) messages.push_back(d);
@@ -299,7 +299,7 @@ void RunController::conclude(RunKind kind, const Study& ranOn, unsigned long rev
 }
 
 void RunController::tellEnd(RunKind kind, const Finding& finding, bool isStopped, double seconds) {
-    if (finding.isAtLimitOfWork && !run_.isCancelling())
+    if (finding.end.isAtLimitOfWork && !run_.isCancelling())
         return Q_EMIT concluded(tr("Discover ended at its limit of work; what it has found is shown."));
     const QString name = runName(kind);
     Q_EMIT concluded(isStopped ? tr("%1 stopped; best result so far is shown.").arg(name)

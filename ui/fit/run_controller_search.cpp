@@ -37,7 +37,7 @@ void RunController::tryEffect(const EffectChoice& choice) {
 
 bool RunController::canSearchLonger() const {
     const Finding* finding = document_.isOpen() ? document_.finding() : nullptr;
-    return finding && finding->isAtLimitOfWork && document_.resultKind() == RunKind::Discover &&
+    return finding && finding->end.isAtLimitOfWork && document_.resultKind() == RunKind::Discover &&
            !document_.isResultStale() && document_.canRun();
 }
 

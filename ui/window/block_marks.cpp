@@ -86,9 +86,9 @@ QString listed(QStringList texts) {
 QString effectTip(const Document& document, const Block& block) {
     if (const Finding* finding = document.finding())
         for (const AddedEffect& effect : finding->effects)
-            if (effect.instance == block.name)
-                return (effect.way == Way::Specialise ? MainWindow::tr("Changed by the effect %1")
-                                                      : MainWindow::tr("Brought by the effect %1"))
+            if (effect.wired.instance == block.name)
+                return (effect.wired.way == Way::Specialise ? MainWindow::tr("Changed by the effect %1")
+                                                            : MainWindow::tr("Brought by the effect %1"))
                     .arg(html(effect.kind));
     return MainWindow::tr("An effect: %1").arg(html(block.className).section('.', -1));
 }

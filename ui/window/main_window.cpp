@@ -486,10 +486,10 @@ void MainWindow::showEffects() {
     std::vector<EffectMark> marks;
     if (const Finding* finding = document_->finding(); finding && document_->levels().empty())
         for (const AddedEffect& effect : finding->effects) {
-            const Block* block = document_->diagram().find(effect.instance);
+            const Block* block = document_->diagram().find(effect.wired.instance);
             // Taken back by undo, a component may still be there, but with its old class.
             if (block && (block->className == effect.className || block->isEffect))
-                marks.push_back({effect.instance, effectName(effect)});
+                marks.push_back({effect.wired.instance, effectName(effect)});
         }
     scene_->mark(marks, blockMarks(*document_));
 }

@@ -158,7 +158,8 @@ bool takeFound(Album& album, MainWindow& window) {
 void takeAdopted(Album& album, MainWindow& window) {
     Document& document = window.document();
     document.adoptCompleted("picture");
-    const std::string added = document.finding()->effects.empty() ? "" : document.finding()->effects.front().instance;
+    const std::string added =
+        document.finding()->effects.empty() ? "" : document.finding()->effects.front().wired.instance;
     waitUntil(
         [&] {  // the lists follow once the model has been analysed
             const auto& known = document.facts().parameters;

@@ -11,9 +11,9 @@ namespace {
 /// The effect with the units of its parameters that depend on the signal it is at.
 EffectClass inUnitsOf(const std::string& signal, EffectClass effect) {
     if (signal.empty()) return effect;
-    for (const std::string& name : effect.inSignalUnit) effect.units[name] = signal;
+    for (const std::string& name : effect.parameters.inSignalUnit) effect.parameters.units[name] = signal;
     const std::string rate = signal.find('/') == std::string::npos ? signal + "/s" : "(" + signal + ")/s";
-    for (const std::string& name : effect.inSignalRate) effect.units[name] = rate;
+    for (const std::string& name : effect.parameters.inSignalRate) effect.parameters.units[name] = rate;
     return effect;
 }
 
@@ -38,14 +38,15 @@ bool isOfEffect(const Variant& variant, const EffectPlace& p) {
 /// The recorded channels that an effect may take up.
 std::vector<std::string> sparesFor(const EffectClass& effect, const Variant& variant, const ModelNodes& nodes) {
     std::vector<std::string> names;
-    if (effect.channel.empty()) return names;
+    if (effect.placement.channel.empty()) return names;
     const auto first = std::find_if(variant.task.recordings.begin(), variant.task.recordings.end(),
                                     [](const Recording& r) { return r.role == Role::Fit && !r.spares.empty(); });
     if (first != variant.task.recordings.end())
         for (const SpareChannel& s : first->spares)
-            if (effect.quantity.empty() || areConvertible(s.unit, effect.quantity)) names.push_back(s.name);
-    if (effect.orInput)
-        for (std::string& input : nodes.inputsIn(effect.quantity)) names.push_back(std::move(input));
+            if (effect.placement.quantity.empty() || areConvertible(s.unit, effect.placement.quantity))
+                names.push_back(s.name);
+    if (effect.placement.orInput)
+        for (std::string& input : nodes.inputsIn(effect.placement.quantity)) names.push_back(std::move(input));
     return names;
 }
 

@@ -138,14 +138,14 @@ EffectClass LawProbe::effect(const std::string& name, const std::vector<std::siz
     e.className = name;
     e.description = "Law found in what a model leaves";
     e.kind = "proposal.law";
-    e.way = site_.way;
-    e.ports = site_.ports;
-    e.signalSide = site_.signalSide;
-    e.strength = coefficient(0);
+    e.placement.way = site_.way;
+    e.placement.ports = site_.ports;
+    e.placement.signalSide = site_.signalSide;
+    e.parameters.strength = coefficient(0);
     std::vector<std::string> sum;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
-        if (i > 0) e.linear.push_back(coefficient(i));
-        e.units[coefficient(i)] = unitOf(terms_[chosen[i]]);
+        if (i > 0) e.parameters.linear.push_back(coefficient(i));
+        e.parameters.units[coefficient(i)] = unitOf(terms_[chosen[i]]);
         sum.push_back(coefficient(i) + "*" + terms_[chosen[i]].shown);
     }
     e.proposal = fmt::format("{} {}", site_.shown, fmt::join(sum, " + "));

@@ -52,24 +52,24 @@ struct Wanted {
 };
 
 Wanted wantedBy(const EffectClass& effect) {
-    std::vector<std::string> texts = effect.secant;
-    for (const auto& [name, text] : effect.fixed) texts.push_back(text);
-    for (const auto& [name, list] : effect.shape) texts.insert(texts.end(), list.begin(), list.end());
-    if (!effect.valid.empty()) texts.push_back(effect.valid);
+    std::vector<std::string> texts = effect.trial.secant;
+    for (const auto& [name, text] : effect.parameters.fixed) texts.push_back(text);
+    for (const auto& [name, list] : effect.parameters.shape) texts.insert(texts.end(), list.begin(), list.end());
+    if (!effect.trial.valid.empty()) texts.push_back(effect.trial.valid);
     Wanted wanted;
     for (const std::string& t : texts) {
         for (const std::string& v : shapeVariables(t)) wanted.variables.insert(v);
         wanted.through = wanted.through || t.find("through(") != std::string::npos;
     }
-    if (!effect.along.empty()) wanted.variables.insert(effect.along);
+    if (!effect.wave.along.empty()) wanted.variables.insert(effect.wave.along);
     return wanted;
 }
 
 /// Flow variables at the other connectors of the node an effect sits on.
 std::vector<std::string> flowsBeside(const PlacedEffect& placed, const FlatModel& model) {
-    if (placed.effect.ports.empty()) return {};
+    if (placed.effect.placement.ports.empty()) return {};
     std::vector<std::string> flows;
-    for (const std::string& port : placed.effect.ports) {
+    for (const std::string& port : placed.effect.placement.ports) {
         const ConnectionSet* set = model.connectionOf(placed.instance + "." + port);
         if (set == nullptr) continue;
         for (const std::string& connector : set->connectors) {
@@ -103,17 +103,17 @@ Observations observationsOf(const NullModel& null, const PreparedTask& held, con
         Eigen::VectorXd through = Eigen::VectorXd::Zero(observed.cols());
         for (std::size_t i = 0; isSeen && i < flows; ++i)
             through += 0.5 * observed.row(row + static_cast<Eigen::Index>(i)).cwiseAbs().transpose();
-        for (const std::string& port : placed.effect.ports)
+        for (const std::string& port : placed.effect.placement.ports)
             series["through " + port].emplace_back(through.begin(), through.end());
     }
     observations.setTimes(std::move(times));
     for (auto& [name, x] : series) observations.add(name, std::move(x));
-    if (!series.contains(placed.effect.along)) return observations;
+    if (!series.contains(placed.effect.wave.along)) return observations;
     std::vector<Eigen::VectorXd> simulated;
-    for (const std::vector<double>& x : observations.series(placed.effect.along))
+    for (const std::vector<double>& x : observations.series(placed.effect.wave.along))
         simulated.emplace_back(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
     if (std::optional<std::vector<Eigen::VectorXd>> lead = recordedLead(null, held.problem, simulated))
-        observations.setLead(placed.effect.along, std::move(*lead));
+        observations.setLead(placed.effect.wave.along, std::move(*lead));
     return observations;
 }
 
@@ -184,7 +184,7 @@ ShapeContext contextOf(const NullModel& null, const Observations& observations) 
 
 Outcome<std::map<std::string, double>> fixedOf(const EffectClass& effect, const ShapeContext& context) {
     std::map<std::string, double> fixed;
-    for (const auto& [name, text] : effect.fixed) {
+    for (const auto& [name, text] : effect.parameters.fixed) {
         const Outcome<double> value = shapeValue(text, context);
         if (!value) return value.diagnostics();
         fixed[name] = *value;
@@ -194,7 +194,7 @@ Outcome<std::map<std::string, double>> fixedOf(const EffectClass& effect, const 
 
 Outcome<std::vector<double>> strengthsOf(const EffectClass& effect, const ShapeContext& context) {
     std::vector<double> strengths;
-    for (const std::string& text : effect.secant) {
+    for (const std::string& text : effect.trial.secant) {
         const Outcome<double> strength = shapeValue(text, context);
         if (!strength) return strength.diagnostics();
         if (*strength != 0) strengths.push_back(*strength);
@@ -207,10 +207,10 @@ Outcome<std::vector<std::map<std::string, double>>> shapesOf(const EffectClass& 
                                                              double strength) {
     ShapeContext context = anyStrength;
     context.quantity = [&](const std::string& name) {
-        return name == effect.strength ? strength : anyStrength.quantity(name);
+        return name == effect.parameters.strength ? strength : anyStrength.quantity(name);
     };
     std::vector<std::map<std::string, double>> shapes{{}};
-    for (const auto& [name, list] : effect.shape) {
+    for (const auto& [name, list] : effect.parameters.shape) {
         std::vector<std::map<std::string, double>> wider;
         for (const std::string& text : list) {
             Outcome<double> value = shapeValue(text, context);
@@ -222,7 +222,7 @@ Outcome<std::vector<std::map<std::string, double>>> shapesOf(const EffectClass& 
         }
         shapes = std::move(wider);
     }
-    if (effect.valid.empty()) return shapes;
+    if (effect.trial.valid.empty()) return shapes;
     std::vector<std::map<std::string, double>> valid;
     for (std::map<std::string, double>& s : shapes) {
         ShapeContext with = context;
@@ -230,12 +230,12 @@ Outcome<std::vector<std::map<std::string, double>>> shapesOf(const EffectClass& 
             const auto own = s.find(name);
             return own == s.end() ? context.quantity(name) : own->second;
         };
-        Outcome<double> value = shapeValue(effect.valid, with);
+        Outcome<double> value = shapeValue(effect.trial.valid, with);
         if (!value) return value.diagnostics();
         if (*value > 0) valid.push_back(std::move(s));
     }
     if (valid.empty())
-        return error(phrase("the recording does not show what tells this effect apart: {} > 0", effect.valid));
+        return error(phrase("the recording does not show what tells this effect apart: {} > 0", effect.trial.valid));
     return valid;
 }
 

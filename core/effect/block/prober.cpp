@@ -17,10 +17,10 @@ constexpr int mostStepsOfAWave = 16;  // in a sample interval: what is faster av
 void TracedParameters::add(const PlacedEffect& placed) {
     const EffectClass& effect = placed.effect;
     const auto own = [&](const std::string& name) { return placed.instance + "." + name; };
-    free.emplace_back().name = own(effect.strength);
-    for (const std::string& name : effect.linear) free.emplace_back().name = own(name);
-    for (const auto& [name, values] : effect.shape) kept.push_back(own(name));
-    if (!effect.phase.empty()) kept.push_back(own(effect.phase));
+    free.emplace_back().name = own(effect.parameters.strength);
+    for (const std::string& name : effect.parameters.linear) free.emplace_back().name = own(name);
+    for (const auto& [name, values] : effect.parameters.shape) kept.push_back(own(name));
+    if (!effect.wave.phase.empty()) kept.push_back(own(effect.wave.phase));
 }
 
 Outcome<Done> Prober::compile() {
@@ -33,7 +33,7 @@ Outcome<Done> Prober::compile() {
     const StepsBeside& beside = null_.steps(simulation_, progress_);
     plans_ = null_.plansOf(*held_.system, simulation_, progress_);
     held_.problem.knownPlans = beside.coarse;
-    const bool takesSlopes = placed_.effect.secant.empty() || !placed_.effect.phase.empty();
+    const bool takesSlopes = placed_.effect.trial.secant.empty() || !placed_.effect.wave.phase.empty();
     const bool hasOwnStates = addedStates() != 0;
     for (std::size_t e = 0; takesSlopes && hasOwnStates && e < plans_.size(); ++e)
         if (null_.fit.plans[e].method == GridMethod::Exact && plans_[e].method != GridMethod::Exact)
@@ -45,11 +45,11 @@ bool Prober::take(const std::map<std::string, double>& shape, double secant, Pro
     for (const auto& [name, value] : shape) setParameter(held_.problem, placed_.instance + "." + name, value);
     probe.values = shape;
     probe.secant = secant;
-    if (!placed_.effect.phase.empty()) return takeWave(shape, probe);
+    if (!placed_.effect.wave.phase.empty()) return takeWave(shape, probe);
     const std::optional<Eigen::MatrixXd> columns = traces(secant);
     if (!columns) return false;
     probe.column = columns->col(0);
-    scoreProbe(null_, placed_.effect.oneSided, *columns, probe);
+    scoreProbe(null_, placed_.effect.parameters.oneSided, *columns, probe);
     return true;
 }
 
@@ -65,7 +65,7 @@ std::optional<Eigen::MatrixXd> Prober::traces(double secant, const std::vector<G
     Eigen::VectorXd at = off();
     at[0] = secant;
     const bool isSlope = secant == 0;
-    const bool needsTangents = isSlope || !placed_.effect.linear.empty();
+    const bool needsTangents = isSlope || !placed_.effect.parameters.linear.empty();
     const SimulationOptions simulation = isSlope ? simulation_ : coarse(simulation_);
     const Linearisation l =
         linearise(held_.problem, at, needsTangents, isSlope ? plans : std::vector<GridPlan>{}, simulation, progress_);
@@ -93,25 +93,25 @@ std::vector<GridPlan> Prober::plansFor(double waves) const {
 
 bool Prober::takeWave(const std::map<std::string, double>& shape, Probe& probe) {
     const EffectClass& effect = placed_.effect;
-    const auto waves = shape.find(effect.waves);
+    const auto waves = shape.find(effect.wave.waves);
     const std::vector<GridPlan> plans = plansFor(waves == shape.end() ? 1 : waves->second);
     Eigen::MatrixXd both(null_.fit.optimum.residuals.size(), 2);
     for (const int quarter : {0, 1}) {
-        setParameter(held_.problem, placed_.instance + "." + effect.phase, quarter * quarterTurn);
+        setParameter(held_.problem, placed_.instance + "." + effect.wave.phase, quarter * quarterTurn);
         const std::optional<Eigen::MatrixXd> columns = traces(0, plans);
         if (!columns) return false;
         both.col(quarter) = columns->col(0);
     }
-    scoreProbe(null_, effect.oneSided, both, probe);
+    scoreProbe(null_, effect.parameters.oneSided, both, probe);
     const Eigen::Vector2d parts = probe.plain.strengths;
     const double strength = parts.norm();
     probe.column = strength > 0 ? Eigen::VectorXd(both * parts / strength) : Eigen::VectorXd(both.col(0));
     Probe along;
-    scoreProbe(null_, effect.oneSided, probe.column, along);
+    scoreProbe(null_, effect.parameters.oneSided, probe.column, along);
     probe.plain.visible = along.plain.visible;
     probe.whitened.visible = along.whitened.visible;
     probe.plain.strengths = Eigen::VectorXd::Constant(1, strength);
-    probe.values[effect.phase] = std::atan2(parts[1], parts[0]);
+    probe.values[effect.wave.phase] = std::atan2(parts[1], parts[0]);
     probe.isAlongRecorded = wired_.task.imposed.has_value();
     return true;
 }

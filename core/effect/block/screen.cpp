@@ -25,7 +25,7 @@ Text reason(const Diagnostics& diagnostics) {
 Variant alongRecorded(Variant variant, const std::vector<std::vector<double>>& simulated,
                       const std::vector<Eigen::VectorXd>& lead) {
     const PlacedEffect& placed = variant.effects.back();
-    variant.task.imposed = ImposedVariable{placed.instance + "." + placed.effect.along, recordedName};
+    variant.task.imposed = ImposedVariable{placed.instance + "." + placed.effect.wave.along, recordedName};
     std::size_t next = 0;
     for (Recording& r : variant.task.recordings.edit()) {
         Eigen::VectorXd course = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(r.time.size()));
@@ -45,10 +45,11 @@ bool isAhead(const Observations& observations, const Screened& screened) {
     const EffectClass& effect = screened.candidate.effect;
     double most = 1, largest = 0;
     for (const Probe& p : screened.probes)
-        if (const auto waves = p.values.find(effect.waves); waves != p.values.end())
+        if (const auto waves = p.values.find(effect.wave.waves); waves != p.values.end())
             most = std::max(most, waves->second);
     for (const Eigen::VectorXd& each : lead) largest = std::max(largest, each.cwiseAbs().maxCoeff());
-    const double turn = effect.phase.empty() ? observations.statistic("range", effect.along) : 4 * quarterTurn;
+    const double turn =
+        effect.wave.phase.empty() ? observations.statistic("range", effect.wave.along) : 4 * quarterTurn;
     return largest > 0 && most * largest > leastLead * turn;
 }
 
@@ -123,7 +124,7 @@ public:
 
     Outcome<Done> run() {
         if (const Outcome<Done> done = wire(); !done) return done.diagnostics();
-        Prober prober(null_, wired_, observations_.series(effect_.along), simulation_, progress_);
+        Prober prober(null_, wired_, observations_.series(effect_.wave.along), simulation_, progress_);
         if (const Outcome<Done> compiled = prober.compile(); !compiled) return compiled.diagnostics();
         if (lacksMotion(prober)) return error(phrase("nothing there has a motion of its own"));
         if (const Outcome<Done> probed = probeAll(prober); !probed) return probed.diagnostics();
@@ -158,9 +159,9 @@ private:
     }
 
     bool lacksMotion(const Prober& prober) const {
-        if (effect_.states <= 0) return false;
+        if (effect_.trial.states <= 0) return false;
         const int added = prober.addedStates();
-        return added < effect_.states && !(added > 0 && endsInASpring(null_.variant, result_.candidate.place));
+        return added < effect_.trial.states && !(added > 0 && endsInASpring(null_.variant, result_.candidate.place));
     }
 
     Outcome<Done> probeAll(Prober& prober) {
@@ -177,7 +178,7 @@ private:
     }
 
     Outcome<Done> probeAlongRecorded() {
-        const std::vector<std::vector<double>>& course = observations_.series(effect_.along);
+        const std::vector<std::vector<double>>& course = observations_.series(effect_.wave.along);
         auto recorded = std::make_shared<const Variant>(alongRecorded(wired_, course, observations_.lead()));
         Prober along(null_, *recorded, course, simulation_, progress_);
         result_.recorded = std::move(recorded);

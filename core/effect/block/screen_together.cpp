@@ -25,9 +25,10 @@ bool isOfTheModel(const Candidate& candidate) {
     const EffectClass& effect = candidate.effect;
     const bool isDriven = !candidate.place.spare.empty() && !candidate.place.spare.starts_with(inputPrefix);
     const bool isAlone =
-        effect.way == Way::Specialise && !(candidate.place.node.empty() && candidate.place.spare.empty());
-    return !isDriven && !isAlone && effect.signalSide.empty() && effect.along.empty() && effect.phase.empty() &&
-           effect.states <= 0 && (effect.secant.empty() || effect.linear.empty());
+        effect.placement.way == Way::Specialise && !(candidate.place.node.empty() && candidate.place.spare.empty());
+    return !isDriven && !isAlone && effect.placement.signalSide.empty() && effect.wave.along.empty() &&
+           effect.wave.phase.empty() && effect.trial.states <= 0 &&
+           (effect.trial.secant.empty() || effect.parameters.linear.empty());
 }
 
 /// Candidates of one class on the way through their traces, in one model.
@@ -114,7 +115,8 @@ private:
             m.instance = placed.instance;
             m.column = static_cast<Eigen::Index>(parameters.free.size());
             parameters.add(placed);
-            for (const auto& [name, value] : m.effect().fixed) parameters.kept.push_back(m.instance + "." + name);
+            for (const auto& [name, value] : m.effect().parameters.fixed)
+                parameters.kept.push_back(m.instance + "." + name);
         }
         Outcome<PreparedTask> held = prepareHeld(off_, parameters.free, null_.noise, parameters.kept);
         if (!held) return false;
@@ -180,7 +182,7 @@ private:
     void keep(Member& member, Probe probe, const Eigen::MatrixXd& columns) const {
         if (!columns.allFinite()) return;
         probe.column = columns.col(0);
-        scoreProbe(null_, member.effect().oneSided, columns, probe);
+        scoreProbe(null_, member.effect().parameters.oneSided, columns, probe);
         member.screened.probes.push_back(std::move(probe));
     }
 
@@ -195,7 +197,7 @@ private:
             Probe probe;
             probe.values = m.slopes[k];
             keep(m, std::move(probe),
-                 l.jacobian.middleCols(m.column, static_cast<Eigen::Index>(1 + m.effect().linear.size())));
+                 l.jacobian.middleCols(m.column, static_cast<Eigen::Index>(1 + m.effect().parameters.linear.size())));
         }
         return true;
     }
@@ -238,7 +240,8 @@ std::vector<std::vector<std::size_t>> screenedTogether(const std::vector<Candida
             return isOfTheModel(c) && c.effect.className == candidates[begin].effect.className;
         };
         while (isOfTheModel(candidates[begin]) && end < candidates.size() && isLikeFirst(candidates[end])) ++end;
-        const std::size_t most = candidates[begin].effect.way == Way::Insert ? mostInsertedTogether : mostTogether;
+        const std::size_t most =
+            candidates[begin].effect.placement.way == Way::Insert ? mostInsertedTogether : mostTogether;
         const std::size_t count = (end - begin + most - 1) / most, first = groups.size();
         groups.resize(first + count);
         for (std::size_t i = begin; i < end; ++i) groups[first + (i - begin) % count].push_back(i);

@@ -37,7 +37,7 @@ double smallestSecant(const Screened& s) {
 FitParameter strengthParameter(const Screened& s, const Probe& probe) {
     const EffectClass& effect = s.candidate.effect;
     FitParameter p;
-    p.name = effect.strength;
+    p.name = effect.parameters.strength;
     p.start = probe.strength();
     if (probe.secant != 0) {
         // a trace taken at one strength speaks for its neighbourhood
@@ -45,10 +45,10 @@ FitParameter strengthParameter(const Screened& s, const Probe& probe) {
         const double size = std::clamp(std::abs(p.start), low, high);
         p.start = p.start < 0 || (p.start == 0 && probe.secant < 0) ? -size : size;
     }
-    if (effect.oneSided) {
+    if (effect.parameters.oneSided) {
         // some effects have no model at exactly 0 (a lag of no time): those were probed by secants alone
-        const auto reach = effect.reach.find(effect.strength);
-        p.min = smallestSecant(s) / (reach == effect.reach.end() ? 50 : reach->second);
+        const auto reach = effect.trial.reach.find(effect.parameters.strength);
+        p.min = smallestSecant(s) / (reach == effect.trial.reach.end() ? 50 : reach->second);
         if (probe.secant != 0) p.scale = ParameterScale::Logarithmic;
     }
     return p;
@@ -56,15 +56,15 @@ FitParameter strengthParameter(const Screened& s, const Probe& probe) {
 
 /// Factor by which a shape may leave the values with which it is tried.
 double reachOf(const EffectClass& effect, const std::string& shape) {
-    const auto reach = effect.reach.find(shape);
-    return reach == effect.reach.end() ? 100 : reach->second;
+    const auto reach = effect.trial.reach.find(shape);
+    return reach == effect.trial.reach.end() ? 100 : reach->second;
 }
 
 FitParameter shapeParameter(const Screened& s, const std::string& name, double start) {
     FitParameter p;
     p.name = name;
     p.start = start;
-    if (name == s.candidate.effect.phase) return p;
+    if (name == s.candidate.effect.wave.phase) return p;
     double low = start, high = start;
     for (const Probe& probe : s.probes) {
         const auto value = probe.values.find(name);
@@ -94,17 +94,17 @@ double longestOf(const EstimationTask& task) {
 std::vector<FitParameter> freedParameters(const Screened& s, const Probe& probe, const Variant& wired) {
     std::vector<FitParameter> freed{strengthParameter(s, probe)};
     const std::vector<double> linear = probe.linear();
-    for (std::size_t i = 0; i < s.candidate.effect.linear.size(); ++i) {
+    for (std::size_t i = 0; i < s.candidate.effect.parameters.linear.size(); ++i) {
         FitParameter p;
-        p.name = s.candidate.effect.linear[i];
+        p.name = s.candidate.effect.parameters.linear[i];
         p.start = i < linear.size() ? linear[i] : 0;
         freed.push_back(std::move(p));
     }
     for (const auto& [name, value] : probe.values) freed.push_back(shapeParameter(s, name, value));
     const PlacedEffect& placed = wired.effects.back();
     for (FitParameter& p : freed) {
-        const auto unit = placed.effect.units.find(p.name);
-        if (unit != placed.effect.units.end()) p.unit = unit->second;
+        const auto unit = placed.effect.parameters.units.find(p.name);
+        if (unit != placed.effect.parameters.units.end()) p.unit = unit->second;
         p.name = placed.instance + "." + p.name;
     }
     // what takes longer than every recording is not told by them: a signal that stands still is no slow one
@@ -182,7 +182,7 @@ bool isAmong(const std::vector<std::string>& names, const PlacedEffect& placed, 
 }
 
 bool isWhole(const PlacedEffect& placed, const FitParameter& parameter) {
-    return isAmong(placed.effect.whole, placed, parameter);
+    return isAmong(placed.effect.parameters.whole, placed, parameter);
 }
 
 /// Where the strength comes from a slope at 0, the slope may promise far more than the model bears there (a magnet that
@@ -205,15 +205,15 @@ void takeBack(const NullModel& null, TrialStart& start, const SimulationOptions&
         }
         return false;
     };
-    const std::vector<std::string>& further = placed.effect.linear;
+    const std::vector<std::string>& further = placed.effect.parameters.linear;
     std::vector<std::string> all = further;
-    all.push_back(placed.effect.strength);
-    if (leadsDown({placed.effect.strength}, 1) || (!further.empty() && leadsDown(all, 0.25))) return;
+    all.push_back(placed.effect.parameters.strength);
+    if (leadsDown({placed.effect.parameters.strength}, 1) || (!further.empty() && leadsDown(all, 0.25))) return;
     parameters = promised;
     if (further.empty()) return;
     for (FitParameter& p : parameters)
         if (isAmong(further, placed, p)) p.start = std::clamp(0.0, p.min, p.max);
-    if (!leadsDown({placed.effect.strength}, 1)) parameters = promised;
+    if (!leadsDown({placed.effect.parameters.strength}, 1)) parameters = promised;
 }
 
 /// Moves the start to the optimum of a problem with the same parameters, whole numbers held where they start.
@@ -236,7 +236,8 @@ void follow(TrialStart& start, FitProblem held, const FitOptions& options, const
 /// Over many turns a count of waves that is off by a little fits nearly as well one turn later, and no slope leads from
 /// there to the best: what is a whole number is held at the start until all else has followed.
 void followWholeNumbers(TrialStart& start, const FitOptions& options, const Progress& progress) {
-    if (!start.variant.effects.back().effect.whole.empty()) follow(start, start.prepared.problem, options, progress);
+    if (!start.variant.effects.back().effect.parameters.whole.empty())
+        follow(start, start.prepared.problem, options, progress);
 }
 
 /// Where the flow goes along a course that the model without it misses, all parameters first follow along the recorded

@@ -37,7 +37,7 @@ std::string blockBehind(const Diagram& diagram, const std::string& signal) {
 std::vector<EffectPlace> likePlaces(const Variant& variant, const PlacedEffect& placed,
                                     const std::vector<EffectClass>& catalogue) {
     std::vector<EffectPlace> like;
-    if (placed.effect.signalSide.empty()) return like;
+    if (placed.effect.placement.signalSide.empty()) return like;
     Diagram diagram;
     const Outcome<ModelNodes> nodes = nodesOf(variant, diagram);
     const Outcome<std::vector<Candidate>> candidates = candidatesFor(variant, catalogue);

@@ -117,40 +117,40 @@ EffectClass readWords(const LibraryClass& of, const Modification& annotation, An
     e.className = of.qualifiedName;
     e.description = of.definition->description;
     e.kind = read.text(annotation, "kind", true);
-    e.ports = read.list(annotation, "ports");
-    e.signalSide = read.text(annotation, "at", false);
-    e.inSignalUnit = read.list(annotation, "inSignalUnit");
-    e.inSignalRate = read.list(annotation, "inSignalRate");
-    e.strength = read.text(annotation, "strength", true);
-    e.oneSided = read.flag(annotation, "oneSided");
-    e.behindSource = read.flag(annotation, "behindSource");
-    e.flexible = read.flag(annotation, "flexible");
-    e.linear = read.list(annotation, "linear");
-    e.secant = read.list(annotation, "secant");
-    e.whole = read.list(annotation, "whole");
-    e.phase = read.text(annotation, "phase", false);
-    e.along = read.text(annotation, "along", false);
-    e.waves = read.text(annotation, "waves", false);
-    e.quantity = read.text(annotation, "quantity", false);
-    e.valid = read.text(annotation, "valid", false);
+    e.placement.ports = read.list(annotation, "ports");
+    e.placement.signalSide = read.text(annotation, "at", false);
+    e.parameters.inSignalUnit = read.list(annotation, "inSignalUnit");
+    e.parameters.inSignalRate = read.list(annotation, "inSignalRate");
+    e.parameters.strength = read.text(annotation, "strength", true);
+    e.parameters.oneSided = read.flag(annotation, "oneSided");
+    e.placement.behindSource = read.flag(annotation, "behindSource");
+    e.trial.flexible = read.flag(annotation, "flexible");
+    e.parameters.linear = read.list(annotation, "linear");
+    e.trial.secant = read.list(annotation, "secant");
+    e.parameters.whole = read.list(annotation, "whole");
+    e.wave.phase = read.text(annotation, "phase", false);
+    e.wave.along = read.text(annotation, "along", false);
+    e.wave.waves = read.text(annotation, "waves", false);
+    e.placement.quantity = read.text(annotation, "quantity", false);
+    e.trial.valid = read.text(annotation, "valid", false);
     e.proposal = read.text(annotation, "proposal", false);
-    e.channel = read.text(annotation, "channel", false);
-    e.orInput = read.flag(annotation, "orInput");
-    e.node = read.text(annotation, "node", false);
+    e.placement.channel = read.text(annotation, "channel", false);
+    e.placement.orInput = read.flag(annotation, "orInput");
+    e.placement.node = read.text(annotation, "node", false);
     if (const Modification* fixed = child(annotation, "fixed"))
         for (const Modification& m : fixed->arguments)
             if (m.value)
-                for (const std::string& t : read.texts(*m.value, m.name.text())) e.fixed[m.name.text()] = t;
+                for (const std::string& t : read.texts(*m.value, m.name.text())) e.parameters.fixed[m.name.text()] = t;
     if (const Modification* states = child(annotation, "states"); states && states->value)
-        e.states = static_cast<int>(read.number(*states->value, "states"));
+        e.trial.states = static_cast<int>(read.number(*states->value, "states"));
     for (const auto& [name, factors] :
-         {std::pair{"sharper", &e.sharper}, std::pair{"reach", &e.reach}, std::pair{"part", &e.part}})
+         {std::pair{"sharper", &e.trial.sharper}, std::pair{"reach", &e.trial.reach}, std::pair{"part", &e.trial.part}})
         if (const Modification* given = child(annotation, name))
             for (const Modification& m : given->arguments)
                 if (m.value) (*factors)[m.name.text()] = read.number(*m.value, m.name.text());
     if (const Modification* shape = child(annotation, "shape"))
         for (const Modification& m : shape->arguments)
-            if (m.value) e.shape[m.name.text()] = read.texts(*m.value, m.name.text());
+            if (m.value) e.parameters.shape[m.name.text()] = read.texts(*m.value, m.name.text());
     return e;
 }
 
@@ -162,23 +162,23 @@ Diagnostic refusal(const Modification& annotation, Text message, Text hint) {
 Diagnostics settleWay(const Library& library, const LibraryClass& of, const Modification& annotation,
                       const std::string& way, EffectClass& e) {
     if (way == "attach")
-        e.way = Way::Attach;
+        e.placement.way = Way::Attach;
     else if (way == "insert")
-        e.way = Way::Insert;
+        e.placement.way = Way::Insert;
     else if (way == "specialise")
-        e.way = Way::Specialise;
+        e.placement.way = Way::Specialise;
     else if (way == "bridge")
-        e.way = Way::Bridge;
+        e.placement.way = Way::Bridge;
     else
         return {refusal(annotation, phrase("unknown way '{}' of the effect {}", way, of.qualifiedName),
                         phrase("use \"attach\", \"insert\", \"specialise\" or \"bridge\""))};
-    const std::size_t wanted = e.way == Way::Attach ? 1 : e.way == Way::Specialise ? 0 : 2;
-    if (e.ports.size() != wanted)
-        return {refusal(
-            annotation,
-            phrase("the effect {} names {} connectors, '{}' takes {}", of.qualifiedName, e.ports.size(), way, wanted),
-            phrase("list them as ports = {{\"…\"}}"))};
-    if (e.way != Way::Specialise) return {};
+    const std::size_t wanted = e.placement.way == Way::Attach ? 1 : e.placement.way == Way::Specialise ? 0 : 2;
+    if (e.placement.ports.size() != wanted)
+        return {refusal(annotation,
+                        phrase("the effect {} names {} connectors, '{}' takes {}", of.qualifiedName,
+                               e.placement.ports.size(), way, wanted),
+                        phrase("list them as ports = {{\"…\"}}"))};
+    if (e.placement.way != Way::Specialise) return {};
     if (of.definition->bases.empty())
         return {refusal(annotation, phrase("{} specialises nothing: it inherits from no class", of.qualifiedName),
                         phrase("let it extend the base class of the components it may replace"))};
@@ -191,23 +191,24 @@ Diagnostics settleWay(const Library& library, const LibraryClass& of, const Modi
 
 /// The parameters that the effect adds, with their units.
 void settleParameters(const Library& library, const LibraryClass& of, EffectClass& e) {
-    collectParameters(library, of, e.units);
-    if (e.way != Way::Specialise) return;
+    collectParameters(library, of, e.parameters.units);
+    if (e.placement.way != Way::Specialise) return;
     std::map<std::string, std::string> ofBase;
     collectParameters(library, *library.find(e.base), ofBase);
-    for (const auto& [name, unit] : ofBase) e.units.erase(name);
+    for (const auto& [name, unit] : ofBase) e.parameters.units.erase(name);
 }
 
 /// All parameters that the annotation names.
 std::vector<std::string> namedParameters(const EffectClass& e) {
-    std::vector<std::string> named = e.linear;
-    for (const std::vector<std::string>* more : {&e.whole, &e.inSignalUnit, &e.inSignalRate})
+    std::vector<std::string> named = e.parameters.linear;
+    for (const std::vector<std::string>* more :
+         {&e.parameters.whole, &e.parameters.inSignalUnit, &e.parameters.inSignalRate})
         named.insert(named.end(), more->begin(), more->end());
-    named.push_back(e.strength);
-    if (!e.phase.empty()) named.push_back(e.phase);
-    if (!e.waves.empty()) named.push_back(e.waves);
-    for (const auto& [parameter, value] : e.fixed) named.push_back(parameter);
-    for (const auto& [parameter, values] : e.shape) named.push_back(parameter);
+    named.push_back(e.parameters.strength);
+    if (!e.wave.phase.empty()) named.push_back(e.wave.phase);
+    if (!e.wave.waves.empty()) named.push_back(e.wave.waves);
+    for (const auto& [parameter, value] : e.parameters.fixed) named.push_back(parameter);
+    for (const auto& [parameter, values] : e.parameters.shape) named.push_back(parameter);
     return named;
 }
 
@@ -220,7 +221,7 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
     if (Diagnostics refused = settleWay(library, of, annotation, way, e); !refused.empty()) return refused;
     settleParameters(library, of, e);
     for (const std::string& n : namedParameters(e))
-        if (!e.units.contains(n))
+        if (!e.parameters.units.contains(n))
             return {refusal(annotation, phrase("the effect {} has no parameter '{}'", of.qualifiedName, n),
                             phrase("declare it, or mend the name in the annotation"))};
     return e;

@@ -49,38 +49,56 @@
 /// instance, as simulated with the effect off; what `along` passes as it was recorded, where an output tells it.
 namespace analogon {
 
-struct EffectClass {
-    std::string className;
-    std::string description;
-    std::string kind;
+/// Where in a model an effect may be, and what it is joined to there.
+struct EffectPlacement {
     Way way{Way::Attach};
     std::vector<std::string> ports;
-    bool flexible{};                                      // its form may follow what other effects do
-    bool behindSource{};                                  // inserted where something is turned into what flows, alone
-    std::string signalSide;                               // "input", "output" or empty
-    std::vector<std::string> inSignalUnit, inSignalRate;  // its parameters in the unit of the signal; that per second
+    bool behindSource{};     // inserted where something is turned into what flows, alone
+    std::string signalSide;  // "input", "output" or empty
+    std::string quantity;
+    std::string channel;  // signal input driven by a spare channel; empty: none
+    bool orInput{};       // an input of the model in that unit may drive it as well
+    std::string node;     // connector joined to an existing node; empty: none
+};
+
+/// What of an effect is estimated, and what is set.
+struct EffectParameters {
     std::string strength;
     bool oneSided{};
     std::vector<std::string> linear;
     std::map<std::string, std::string> fixed;  // parameter -> expression
-    int states{};                              // that it must add, or its place is none
-    std::map<std::string, double> sharper;     // numerical parameter -> factor
-    std::map<std::string, double> part;        // further parameter -> share of the strength that it has as a rule
-    std::map<std::string, double> reach;       // shape -> factor by which it may leave the values it is tried with
     std::map<std::string, std::vector<std::string>> shape;
-    std::vector<std::string> whole;  // shapes that are whole numbers as a rule
-    std::string phase;               // the flow is strength*sin(waves*along - phase); empty: it is not
-    std::string along;               // a variable of its own
-    std::string waves;               // a shape; empty: 1
-    std::string valid;
-    std::string proposal;  // equation; empty: a named effect
+    std::vector<std::string> whole;                       // shapes that are whole numbers as a rule
+    std::map<std::string, std::string> units;             // of its own parameters
+    std::vector<std::string> inSignalUnit, inSignalRate;  // its parameters in the unit of the signal; that per second
+};
+
+/// How an effect is tried.
+struct EffectTrial {
     std::vector<std::string> secant;
-    std::string quantity;
-    std::string channel;                       // signal input driven by a spare channel; empty: none
-    bool orInput{};                            // an input of the model in that unit may drive it as well
-    std::string node;                          // connector joined to an existing node; empty: none
+    std::string valid;
+    std::map<std::string, double> reach;    // shape -> factor by which it may leave the values it is tried with
+    std::map<std::string, double> part;     // further parameter -> share of the strength that it has as a rule
+    std::map<std::string, double> sharper;  // numerical parameter -> factor
+    bool flexible{};                        // its form may follow what other effects do
+    int states{};                           // that it must add, or its place is none
+};
+
+/// A flow strength*sin(waves*along - phase).
+struct EffectWave {
+    std::string phase;  // empty: the flow is none
+    std::string along;  // a variable of its own
+    std::string waves;  // a shape; empty: 1
+};
+
+struct EffectClass {
+    std::string className, description, kind;
+    EffectPlacement placement;
+    EffectParameters parameters;
+    EffectTrial trial;
+    EffectWave wave;
+    std::string proposal;                      // equation; empty: a named effect
     std::string base;                          // specialise: qualified name of the class it extends
-    std::map<std::string, std::string> units;  // of its own parameters
     std::map<std::string, std::string> bound;  // inputs -> variable of the model (a law found for one model alone)
 };
 

@@ -17,7 +17,8 @@ std::vector<EffectClass> effectsOn(const Library& library, const LibraryClass& o
     if (std::optional<EffectClass> own = effectOf(library, of)) return {std::move(*own)};
     for (const std::string& name : combinedIn(of))
         if (const LibraryClass* c = library.find(name))
-            if (std::optional<EffectClass> e = effectOf(library, *c); e && isModified(component, e->strength))
+            if (std::optional<EffectClass> e = effectOf(library, *c);
+                e && isModified(component, e->parameters.strength))
                 effects.push_back(std::move(*e));
     return effects;
 }
@@ -33,7 +34,8 @@ std::string classWith(const Library& library, const Block& component, const Effe
     for (const EffectClass& e : there) {
         // both join a node by one connector, or else the class would have to have two
         if (e.className == effect.className) return {};
-        if (!e.node.empty() && !effect.node.empty() && e.node != effect.node) return {};
+        if (!e.placement.node.empty() && !effect.placement.node.empty() && e.placement.node != effect.placement.node)
+            return {};
         wanted.insert(e.className);
     }
     for (const LibraryClass* c : library.classes()) {
@@ -48,7 +50,7 @@ std::string nodePortOf(const Library& library, const Block& component) {
     const LibraryClass* of = library.find(component.className);
     if (of == nullptr) return {};
     for (const EffectClass& e : effectsOn(library, *of, component))
-        if (!e.node.empty()) return e.node;
+        if (!e.placement.node.empty()) return e.placement.node;
     return {};
 }
 

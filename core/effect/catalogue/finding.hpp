@@ -94,31 +94,46 @@ struct Prediction {
 enum class Confidence { Established, Indicated };
 const char* name(Confidence confidence);  // "established", "indicated"
 
-struct AddedEffect {
-    std::string kind, className, at;
+/// How an effect stands in the model.
+struct EffectInModel {
     Way way{Way::Attach};
     std::string instance;           // the component's name in the model
     std::string newInput, channel;  // top-level input that was added, and the recorded channel it carries
-    std::string description;        // of the class
+};
+
+/// What would do nearly as well as an effect.
+struct InsteadOfEffect {
+    std::vector<Alternative> effects;
+    /// Values of parameters that the study holds or bounds and that would explain as much: "core.C = 302 J/K".
+    std::vector<Text> values{};
+};
+
+struct AddedEffect {
+    std::string kind, className, at;
+    std::string description;  // of the class
+    EffectInModel wired;
     std::vector<EffectValue> parameters;
     Evidence evidence;
     Confidence confidence{Confidence::Established};
     std::optional<Prediction> prediction{};  // of one that is indicated
-    std::vector<Alternative> alternatives;
-    /// Values of parameters that the study holds or bounds and that would explain as much: "core.C = 302 J/K".
-    std::vector<Text> valuesInstead{};
+    InsteadOfEffect instead;
 };
 
 enum class Verdict { Chosen, Equivalent, Weaker, NotSignificant, Absorbed, WrongSign, FailsHeldOut, Failed };
 const char* name(Verdict verdict);  // "chosen", "not significant" …
 
+/// What the screening of a candidate tells.
+struct ScreeningResult {
+    double score{};
+    double strength{};                    // estimate
+    std::vector<std::string> absorbedBy;  // parameters
+};
+
 struct CandidateResult {
     std::string kind, at, className;
-    double score{};
-    double strength{};               // estimate from the screening
+    ScreeningResult screening;
     std::optional<double> deltaBic;  // when it was refitted
     Verdict verdict{Verdict::NotSignificant};
-    std::vector<std::string> absorbedBy;  // parameters
     int round{};
     Text failure{};         // why it could not be tried
     Text reason{};          // why it is not in the model; empty: it is, or the run is of before reasons were kept
@@ -132,24 +147,34 @@ struct Correlate {
     bool isWorthAWord() const { return std::abs(correlation) >= 0.15; }
 };
 
+/// Errors of a model with something else in it. [%], negative: not known
+struct ErrorsWith {
+    double fit{-1}, validate{-1};
+};
+
+/// An equation without a name, offered for what is left.
+struct ProposedEquation {
+    Text equation;                          // empty: none is offered
+    std::string className{};                // block that has it; empty: none
+    std::string block{};                    // its text, where it is not of the library
+    ErrorsWith errors{};                    // with all that is proposed
+    double errorValidateWithout{-1};        // [%] of the model that is reported; negative: not known
+    std::vector<std::string> equalNodes{};  // at which the same equation explains as much
+
+    /// Whether recordings that were not fitted speak against it.
+    bool worsensValidation() const {
+        constexpr double byMoreThanChance = 1.02;
+        return errorValidateWithout >= 0 && errors.validate > byMoreThanChance * errorValidateWithout;
+    }
+};
+
 struct Remainder {
     std::string output, node;
     double evidence{};
     double from{}, to{};  // [s]
     std::string experiment;
     std::vector<Correlate> movesWith;
-    Text proposedEquation;
-    std::string proposedClass{};                     // block that has the equation; empty: none
-    std::string proposedBlock{};                     // its text, where it is not of the library
-    double errorFitWith{-1}, errorValidateWith{-1};  // [%] with all that is proposed; negative: not known
-    double errorValidateWithout{-1};                 // [%] of the model that is reported; negative: not known
-    std::vector<std::string> equalNodes{};           // at which the same equation explains as much
-
-    /// Whether recordings that were not fitted speak against what is proposed.
-    bool worsensValidation() const {
-        constexpr double byMoreThanChance = 1.02;
-        return errorValidateWithout >= 0 && errorValidateWith > byMoreThanChance * errorValidateWithout;
-    }
+    ProposedEquation proposal;
 };
 
 /// A flow that nobody measured, as what is left tells it: a Gaussian process about 0 whose correlation falls to 1/e
@@ -174,22 +199,32 @@ struct ProposedModel {
 enum class FindingKind { Adequate, Effect, Partial, Unexplained, Interrupted };
 const char* name(FindingKind kind);  // "adequate" …
 
+/// What named effects leave.
+struct Unexplained {
+    std::vector<Remainder> remainders;
+    std::optional<UnmeasuredFlow> disturbance{};  // empty: no flow alone looks like what is left
+    std::optional<ProposedModel> proposed{};      // empty: no equation is, or no block says it
+};
+
+/// How a search ended.
+struct SearchEnd {
+    Text notSearched{};  // why no effect was looked for; empty: they were
+    bool interrupted{};  // or ended at its limit of work
+    bool isAtLimitOfWork{};
+    double seconds{};
+};
+
 struct Finding {
     FindingKind kind{FindingKind::Adequate};
     ModelState baseline;
     ModelState final;
     std::vector<AddedEffect> effects;
     std::vector<CandidateResult> candidates;
-    std::vector<Remainder> remainders;
-    std::optional<UnmeasuredFlow> disturbance{};  // empty: no flow alone looks like what is left
-    std::optional<ProposedModel> proposed;        // empty: no equation is, or no block says it
+    Unexplained unexplained;
     Text nextExperiment;
     std::vector<Text> warnings;
     std::vector<std::string> heldInputs{};  // that the study joins by straight lines; all is told with them held
-    Text notSearched{};                     // why no effect was looked for; empty: they were
-    bool interrupted{};                     // or ended at its limit of work
-    bool isAtLimitOfWork{};
-    double seconds{};
+    SearchEnd end;
 };
 
 }  // namespace analogon

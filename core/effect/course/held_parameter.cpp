@@ -150,8 +150,8 @@ std::vector<HeldInstead> heldInstead(const NullModel& without, const NullModel& 
                              isNoise(with.channels, *fit), gain,
                              (without.sumOfSquares() - squares) / (squares / rows)});
             if (const Outcome<ModelState> state = stateOf(freed, *fit, options.simulation, progress, Detail::Errors)) {
-                found.back().errorFitWith = errorPercentOf(*state, Role::Fit);
-                found.back().errorValidateWith = validationErrorOf(*state);
+                found.back().errors.fit = errorPercentOf(*state, Role::Fit);
+                found.back().errors.validate = validationErrorOf(*state);
             }
         }
     }

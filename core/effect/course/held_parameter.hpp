@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/effect/catalogue/finding.hpp"
 #include "core/effect/model/null_model.hpp"
 
 namespace analogon {
@@ -13,9 +14,9 @@ struct HeldInstead {
     double held{}, value{}, standardError{};
     bool byBound{};  // it is fitted, and rests at a bound of its own
     bool leavesNoise{};
-    double gain{};       // decrease of chi-square against the effect's, in units of the variance that this leaves
-    double explained{};  // the same against neither
-    double errorFitWith{-1}, errorValidateWith{-1};  // [%] with this value instead; negative: not known
+    double gain{};        // decrease of chi-square against the effect's, in units of the variance that this leaves
+    double explained{};   // the same against neither
+    ErrorsWith errors{};  // with this value instead
 
     /// "core.C = 302 J/K"
     Text text() const;

@@ -37,12 +37,12 @@ std::vector<EffectValue> estimatesOf(const PlacedEffect& placed, const FitResult
 }
 
 int plausibility(const EffectClass& effect) {
-    if (effect.way == Way::Bridge) return -1;
-    return effect.signalSide == "input" ? 2 : effect.behindSource ? 1 : 0;
+    if (effect.placement.way == Way::Bridge) return -1;
+    return effect.placement.signalSide == "input" ? 2 : effect.placement.behindSource ? 1 : 0;
 }
 
 bool mayFollowOthers(const NullModel& null, const Trial& trial) {
-    return trial.screened.candidate.effect.flexible && !isNoise(null.channels, trial.fit);
+    return trial.screened.candidate.effect.trial.flexible && !isNoise(null.channels, trial.fit);
 }
 
 bool isMissed(const Acceptance& a) { return a.isSignificant && a.isWorthwhile && a.heldOut > 0; }
@@ -75,7 +75,7 @@ bool isAtBound(const PlacedEffect& placed, const FitResult& fit) {
         if (&p == &placed.freed.front()) return true;
         // below its reach a shape is not what the effect is called: no turn of a period, no warming
         const bool isLow = estimate->value < 1.01 * p.min;
-        return isLow && placed.effect.reach.contains(p.name.substr(placed.instance.size() + 1));
+        return isLow && placed.effect.trial.reach.contains(p.name.substr(placed.instance.size() + 1));
     });
 }
 
@@ -84,7 +84,7 @@ bool isAtBound(const Trial& trial) { return isAtBound(trial.variant.effects.back
 bool hasShapeAtBound(const PlacedEffect& placed, const FitResult& fit) {
     return std::any_of(placed.freed.begin() + 1, placed.freed.end(), [&](const FitParameter& p) {
         const FitEstimate* estimate = fit.find(p.name);
-        const bool isPhase = p.name == placed.instance + "." + placed.effect.phase;  // it may be any
+        const bool isPhase = p.name == placed.instance + "." + placed.effect.wave.phase;  // it may be any
         return estimate != nullptr && estimate->atBound && !isPhase;
     });
 }
@@ -94,8 +94,8 @@ bool lacksAPart(const PlacedEffect& placed, const FitResult& fit) {
         const FitEstimate* e = fit.find(placed.instance + "." + name);
         return e == nullptr ? std::nan("") : std::abs(e->value);
     };
-    return std::any_of(placed.effect.part.begin(), placed.effect.part.end(), [&](const auto& part) {
-        return valueOf(part.first) < part.second * valueOf(placed.effect.strength);
+    return std::any_of(placed.effect.trial.part.begin(), placed.effect.trial.part.end(), [&](const auto& part) {
+        return valueOf(part.first) < part.second * valueOf(placed.effect.parameters.strength);
     });
 }
 

@@ -17,7 +17,7 @@ Text whyRefused(const Acceptance& acceptance, double heldOutAsked) {
             "what it explains lies right behind changes of an input, and how that ran between its samples may be all "
             "there is to it");
     if (!acceptance.isSignificant)
-        return withinChance(std::max(acceptance.evidence, acceptance.effective), acceptance.leastEvidence);
+        return withinChance(std::max(acceptance.evidence, acceptance.effective), acceptance.asked.evidence);
     if (!(acceptance.heldOut > heldOutAsked))
         return phrase(
             "held-out blocks contradict it: they bear out {:.0f} % of what it explains, and more than {:.0f} % is "

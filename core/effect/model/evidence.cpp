@@ -52,6 +52,10 @@ double EvidenceScale::of(double sumOfSquares, int freed) const {
     return (without_ - sumOfSquares) / variance_ - freed * logCount_;
 }
 
+int heldOutBlocks(double independentSamples) {
+    return std::clamp(static_cast<int>(independentSamples / samplesPerBlock), heldOutFolds, mostBlocks);
+}
+
 Acceptance examine(const NullModel& null, const FitResult& with, int freed, double threshold) {
     const Whitener whiten(null.channels, with.optimum.residuals);
     const auto whiteSum = [&](const Linearisation& l) {
@@ -68,23 +72,21 @@ Acceptance examine(const NullModel& null, const FitResult& with, int freed, doub
         with.optimum.residuals.squaredNorm() / std::max(1.0, rows - static_cast<double>(with.estimates.size()));
     a.effective = (null.sumOfSquares() - with.optimum.residuals.squaredNorm()) / variance * count / rows -
                   freed * std::log(count);
-    a.heldOut =
-        heldOutGain(null.channels, null.fit.optimum, with.optimum,
-                    std::clamp(static_cast<int>(count / samplesPerBlock), heldOutFolds, mostBlocks), heldOutFolds);
+    a.heldOut = heldOutGain(null.channels, null.fit.optimum, with.optimum, heldOutBlocks(count), heldOutFolds);
     // What leaves noise has explained all there was. What leaves structure must show more, and show it against chance.
     const bool leavesStructure = !isNoise(null.channels, with);
     const bool isFirst = null.variant.effects.empty();
     const double least = !isFirst ? leastBesideOthers : leavesStructure ? clearEvidence : leastEvidence;
-    a.leastEvidence = std::max(least, threshold * (leavesStructure ? structureFactor : 1));
+    a.asked.evidence = std::max(least, threshold * (leavesStructure ? structureFactor : 1));
     const double best = std::max(a.evidence, a.effective);
-    a.isAtEdges = best > a.leastEvidence && best < farMore && happensAtEdges(null, with);
-    a.isSignificant = best > a.leastEvidence && !a.isAtEdges;
+    a.isAtEdges = best > a.asked.evidence && best < farMore && happensAtEdges(null, with);
+    a.isSignificant = best > a.asked.evidence && !a.isAtEdges;
     const double left = with.optimum.residuals.squaredNorm(), unexplained = left - rows;
     const bool explainsAll = !leavesStructure && std::min(a.evidence, a.effective) > farMore;
-    a.leastHeldOutAsked = explainsAll                                   ? leastHeldOutOfAll
-                          : left > largeResidual * largeResidual * rows ? leastHeldOutOfMuch
-                                                                        : leastHeldOut;
-    a.holdsOut = a.heldOut > a.leastHeldOutAsked;
+    a.asked.heldOut = explainsAll                                   ? leastHeldOutOfAll
+                      : left > largeResidual * largeResidual * rows ? leastHeldOutOfMuch
+                                                                    : leastHeldOut;
+    a.holdsOut = a.heldOut > a.asked.heldOut;
     a.share = unexplained > 0 ? (null.sumOfSquares() - left) / unexplained : std::numeric_limits<double>::infinity();
     a.isWorthwhile = a.share > leastShare;
     return a;

@@ -18,6 +18,11 @@ private:
     double without_, variance_, logCount_;
 };
 
+/// What is asked of a winner at least.
+struct AskedOfWinner {
+    double evidence{}, heldOut{};
+};
+
 /// The tests a winner must pass (all in units of its own noise).
 struct Acceptance {
     double explained{};  // decrease of chi-square under the winner's noise model
@@ -26,11 +31,15 @@ struct Acceptance {
     double heldOut{};    // H on blocks left out in turn
     double share{};      // decrease of chi-square over what stays unexplained (above the noise)
     bool isSignificant{}, holdsOut{}, isWorthwhile{};
-    bool isAtEdges{};                             // not significant for that alone, see happensAtEdges
-    double leastEvidence{}, leastHeldOutAsked{};  // for these
+    bool isAtEdges{};  // not significant for that alone, see happensAtEdges
+    AskedOfWinner asked{};
 
     bool accepted() const { return isSignificant && holdsOut && isWorthwhile; }
 };
+
+/// Into how many blocks a record with so many independent samples is cut, to be left out in turn.
+int heldOutBlocks(double independentSamples);
+
 Acceptance examine(const NullModel& null, const FitResult& with, int freed, double threshold);
 
 }  // namespace analogon

@@ -78,9 +78,6 @@ void reckonWithColour(FitEstimate& estimate) {
     estimate.standardError = estimate.robustError;
 }
 
-/// Whether so much autocorrelation is more than the chance of white noise.
-bool isColoured(const ResidualSummary& residual) { return residual.whiteProbability < colourSignificance; }
-
 bool isColoured(const ExperimentState& state) {
     return std::any_of(state.outputs.begin(), state.outputs.end(),
                        [](const OutputState& o) { return isColoured(summarise(o.simulated - o.measured)); });
@@ -251,6 +248,8 @@ std::vector<Text> switchingRemarks(const FitProblem& problem, const Linearisatio
 
 }  // namespace
 
+bool isColoured(const ResidualSummary& residual) { return residual.whiteProbability < colourSignificance; }
+
 namespace {
 
 /// Of all recordings, those of a role are one stretch of what is to be simulated.
@@ -339,14 +338,14 @@ void addOtherParameters(const FlatModel& model, const PlacedEffect& placed, std:
             variable.type != FlatType::Real || variable.name.rfind(prefix, 0) != 0)
             continue;
         const std::string name = variable.name.substr(prefix.size());
-        if (!placed.effect.units.contains(name) ||
+        if (!placed.effect.parameters.units.contains(name) ||
             std::any_of(values.begin(), values.end(), [&](const EffectValue& known) { return known.name == name; }))
             continue;
         // the parts of an effect are off at 0 (a heat capacity that is small, what follows from it)
         if (const std::optional<double> value = model.parameterValue({static_cast<std::uint32_t>(v)});
             value && *value != 0)
-            values.push_back(
-                {name, *value, std::nan(""), variable.unit.empty() ? placed.effect.units.at(name) : variable.unit});
+            values.push_back({name, *value, std::nan(""),
+                              variable.unit.empty() ? placed.effect.parameters.units.at(name) : variable.unit});
     }
 }
 

@@ -25,6 +25,9 @@ Outcome<FlatModel> flattened(const EstimationTask& task, const std::string& text
 /// behind a reciprocal), without a standard error; not what is off, at 0.
 void addOtherParameters(const FlatModel& model, const PlacedEffect& placed, std::vector<EffectValue>& values);
 
+/// Whether a residual has more autocorrelation than white noise has by chance: standard errors then reckon with it.
+bool isColoured(const ResidualSummary& residual);
+
 /// Root mean square of error_percent over outputs, those left out that are 0 throughout.
 double errorPercentOf(const std::vector<OutputState>& outputs);
 

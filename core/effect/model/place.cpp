@@ -260,9 +260,9 @@ std::vector<EffectPlace> ModelNodes::bridgePlaces(const std::string& signature) 
 
 std::vector<EffectPlace> ModelNodes::signalPlaces(const EffectClass& effect) const {
     std::vector<EffectPlace> places;
-    const bool isOutput = effect.signalSide == "output";
+    const bool isOutput = effect.placement.signalSide == "output";
     for (const auto& [name, unit] : isOutput ? outputs_ : inputs_) {
-        if (!effect.quantity.empty() && !areConvertible(unit, effect.quantity)) continue;
+        if (!effect.placement.quantity.empty() && !areConvertible(unit, effect.placement.quantity)) continue;
         places.push_back({std::string(isOutput ? outputPrefix : inputPrefix) + name, name, {}});
     }
     return places;
@@ -272,8 +272,8 @@ std::vector<EffectPlace> ModelNodes::signalPlaces(const EffectClass& effect) con
 bool ModelNodes::keepsConnectors(const Block& block, const EffectClass& effect) const {
     std::set<std::string> left;
     for (const Port& p : readPorts(library_, effect.className)) left.insert(p.name);
-    left.erase(effect.channel);
-    left.erase(effect.node);
+    left.erase(effect.placement.channel);
+    left.erase(effect.placement.node);
     // those of effects that are in it already
     const auto isOwn = [&](const Port& p) { return left.erase(p.name) == 0; };
     const std::vector<Port> ports = readPorts(library_, block.className);
@@ -317,12 +317,12 @@ std::vector<EffectPlace> ModelNodes::specialisePlaces(const EffectClass& effect,
         if (!library_.isDerived(b.className, effect.base) || classWith(library_, b, effect).empty()) continue;
         if (!keepsConnectors(b, effect)) continue;
         const std::string own = nodePortOf(library_, b);
-        if (!effect.node.empty())
-            for (const EffectPlace& n : attachPlaces(signatureOf(effect, effect.node))) {
+        if (!effect.placement.node.empty())
+            for (const EffectPlace& n : attachPlaces(signatureOf(effect, effect.placement.node))) {
                 if (own.empty() || isOneNode(b.name + "." + own, n.connector))
                     places.push_back({b.name, b.name, {}, n.connector});
             }
-        else if (effect.channel.empty())
+        else if (effect.placement.channel.empty())
             places.push_back({b.name, b.name, {}});
         else
             for (const std::string& s : spares) places.push_back({b.name, b.name, s});
@@ -338,19 +338,19 @@ std::string ModelNodes::signatureOf(const EffectClass& effect, const std::string
 
 std::vector<EffectPlace> ModelNodes::placesFor(const EffectClass& effect,
                                                const std::vector<std::string>& spares) const {
-    if (effect.way == Way::Specialise) return specialisePlaces(effect, spares);
-    if (!effect.signalSide.empty()) return signalPlaces(effect);
-    if (effect.ports.empty()) return {};
-    const std::string signature = signatureOf(effect, effect.ports.front());
+    if (effect.placement.way == Way::Specialise) return specialisePlaces(effect, spares);
+    if (!effect.placement.signalSide.empty()) return signalPlaces(effect);
+    if (effect.placement.ports.empty()) return {};
+    const std::string signature = signatureOf(effect, effect.placement.ports.front());
     if (signature.empty()) return {};
-    if (effect.way == Way::Bridge) return bridgePlaces(signature);
-    if (effect.way == Way::Insert) {
+    if (effect.placement.way == Way::Bridge) return bridgePlaces(signature);
+    if (effect.placement.way == Way::Insert) {
         std::vector<EffectPlace> places = insertPlaces(signature);
-        if (effect.behindSource)
+        if (effect.placement.behindSource)
             std::erase_if(places, [&](const EffectPlace& place) { return !isSource(place.connector, signature); });
         return places;
     }
-    if (effect.channel.empty()) return attachPlaces(signature);
+    if (effect.placement.channel.empty()) return attachPlaces(signature);
     std::vector<EffectPlace> driven;
     for (const EffectPlace& p : attachPlaces(signature))
         for (const std::string& s : spares) driven.push_back({p.at, p.connector, s});

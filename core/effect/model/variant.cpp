@@ -63,7 +63,7 @@ Outcome<Done> addTwin(Variant& variant, const EffectPlace& place) {
 
 bool drawSharper(PlacedEffect& placed) {
     bool changes = false;
-    for (const auto& [name, factor] : placed.effect.sharper)
+    for (const auto& [name, factor] : placed.effect.trial.sharper)
         if (const auto value = placed.values.find(name); value != placed.values.end()) {
             value->second *= factor;
             changes = true;
@@ -106,7 +106,7 @@ Outcome<Variant> withEffect(const Variant& variant, const EffectClass& effect, c
     Outcome<EstimationTask> task = withText(variant.task, syntax::apply(variant.task.model->text(), wired->edit).text);
     if (!task) return task.diagnostics();
     Variant changed{std::move(*task), variant.effects, variant.values, variant.plans};
-    if (!wired->newInput.empty()) connectSpare(changed.task, place.spare, wired->newInput, effect.quantity);
+    if (!wired->newInput.empty()) connectSpare(changed.task, place.spare, wired->newInput, effect.placement.quantity);
     changed.effects.push_back({effect, place, wired->instance, wired->newInput, {}, values});
     return changed;
 }

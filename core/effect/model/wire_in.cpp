@@ -88,29 +88,30 @@ public:
 
     void attach() {
         edit_.addComponent(component_);
-        join(component_.name + "." + effect_.ports[0], port(library_, component_, effect_.ports[0]), place_.connector);
+        join(component_.name + "." + effect_.placement.ports[0], port(library_, component_, effect_.placement.ports[0]),
+             place_.connector);
         if (!place_.spare.empty()) addSpareInput(component_.name);
     }
 
     void bridge() {
         edit_.addComponent(component_);
         for (const std::size_t side : {0u, 1u}) {
-            const std::string& own = effect_.ports[side];
+            const std::string& own = effect_.placement.ports[side];
             join(component_.name + "." + own, port(library_, component_, own), side ? place_.node : place_.connector);
         }
     }
 
     /// The connector keeps the near side; all that it was joined to moves to the far side.
     void insert() {
-        const bool isOutput = effect_.signalSide == "output";
-        const std::string near = component_.name + "." + effect_.ports[isOutput ? 1 : 0],
-                          far = component_.name + "." + effect_.ports[isOutput ? 0 : 1];
+        const bool isOutput = effect_.placement.signalSide == "output";
+        const std::string near = component_.name + "." + effect_.placement.ports[isOutput ? 1 : 0],
+                          far = component_.name + "." + effect_.placement.ports[isOutput ? 0 : 1];
         edit_.addComponent(component_);
-        if (effect_.signalSide.empty() || edit_.isConnected(place_.connector))
+        if (effect_.placement.signalSide.empty() || edit_.isConnected(place_.connector))
             edit_.replaceInConnections(place_.connector, far);
-        if (!effect_.signalSide.empty()) edit_.replaceReferences(place_.connector, far);
-        const Point nearAt = port(library_, component_, effect_.ports[isOutput ? 1 : 0]);
-        if (!effect_.signalSide.empty() && !isConnector(place_.connector))
+        if (!effect_.placement.signalSide.empty()) edit_.replaceReferences(place_.connector, far);
+        const Point nearAt = port(library_, component_, effect_.placement.ports[isOutput ? 1 : 0]);
+        if (!effect_.placement.signalSide.empty() && !isConnector(place_.connector))
             edit_.addEquation(isOutput ? place_.connector + " = " + near : near + " = " + place_.connector);
         else if (isOutput)
             join(near, nearAt, place_.connector);
@@ -123,12 +124,13 @@ public:
         const Block* component = diagram_.find(place_.connector);
         setEffectClass(edit_, library_, effect_, place_.connector, component);
         // a class that holds several effects has those whose strength is told
-        if (!values.contains(effect_.strength)) edit_.setModifier(place_.connector, effect_.strength, "0");
+        if (!values.contains(effect_.parameters.strength))
+            edit_.setModifier(place_.connector, effect_.parameters.strength, "0");
         for (const auto& [name, value] : modifications(values)) edit_.setModifier(place_.connector, name, value);
         if (!place_.spare.empty()) addSpareInput(place_.connector);
         const bool isJoined = component != nullptr && !nodePortOf(library_, *component).empty();
         if (!place_.node.empty() && !isJoined)
-            edit_.addConnection(place_.connector + "." + effect_.node, place_.node, {},
+            edit_.addConnection(place_.connector + "." + effect_.placement.node, place_.node, {},
                                 colourAt(diagram_, place_.node));
     }
 
@@ -155,7 +157,8 @@ private:
     /// A top-level input that drives the effect's signal input of this instance: one of the model, or a new one.
     void addSpareInput(const std::string& instance) {
         if (const std::string_view spare = place_.spare; spare.starts_with(inputPrefix)) {
-            const std::string own(spare.substr(inputPrefix.size())), signal = instance + "." + effect_.channel;
+            const std::string own(spare.substr(inputPrefix.size())),
+                signal = instance + "." + effect_.placement.channel;
             if (isConnector(own))
                 edit_.addConnection(own, signal, {}, domainColour(Domain::RealInput));
             else
@@ -171,13 +174,15 @@ private:
         input.className = "Analogon.Interfaces.RealInput";
         input.name = base;
         while (diagram_.find(input.name) != nullptr) input.name += "_1";
-        const Point near = diagram_.anchor(instance + "." + effect_.channel)
+        const Point near = diagram_.anchor(instance + "." + effect_.placement.channel)
                                .value_or(diagram_.anchor(place_.connector).value_or(Point{0, 0}));
         input.placement = freePlacement(diagram_, {near.x - 40, near.y - 40}, blockSize, blockSize);
         input.description = "Recorded channel " + place_.spare;
-        if (!effect_.quantity.empty()) input.modifications.emplace_back("unit", '"' + effect_.quantity + '"');
+        if (!effect_.placement.quantity.empty())
+            input.modifications.emplace_back("unit", '"' + effect_.placement.quantity + '"');
         edit_.addComponent(input);
-        edit_.addConnection(input.name, instance + "." + effect_.channel, {}, domainColour(Domain::RealInput));
+        edit_.addConnection(input.name, instance + "." + effect_.placement.channel, {},
+                            domainColour(Domain::RealInput));
         newInput_ = input.name;
     }
 
@@ -200,7 +205,7 @@ Outcome<WiredEffect> wireIn(const Library& library, const syntax::ClassDefinitio
     if (!diagram) return diagram.diagnostics();
     Wiring wiring(library, model, effect, place, values, std::move(*diagram));
     wiring.bind(expressions);
-    switch (effect.way) {
+    switch (effect.placement.way) {
         case Way::Attach:
             wiring.attach();
             break;
@@ -236,20 +241,20 @@ public:
         component.name = freeName(library_, model_, fmt::format("{}_at{}_", base_, number));
         for (const auto& [name, text] : effect_.bound) component.modifications.emplace_back(name, text);
         edit_.addComponent(component);
-        const auto own = [&](std::size_t side) { return component.name + "." + effect_.ports[side]; };
-        if (effect_.way == Way::Insert) edit_.replaceInConnections(place.connector, own(1));
+        const auto own = [&](std::size_t side) { return component.name + "." + effect_.placement.ports[side]; };
+        if (effect_.placement.way == Way::Insert) edit_.replaceInConnections(place.connector, own(1));
         edit_.addConnection(own(0), place.connector, {}, {});
-        if (effect_.way == Way::Bridge) edit_.addConnection(own(1), place.node, {}, {});
+        if (effect_.placement.way == Way::Bridge) edit_.addConnection(own(1), place.node, {}, {});
         if (const std::string_view spare = place.spare; spare.starts_with(inputPrefix))
             edit_.addEquation(
-                fmt::format("{}.{} = {}", component.name, effect_.channel, spare.substr(inputPrefix.size())));
+                fmt::format("{}.{} = {}", component.name, effect_.placement.channel, spare.substr(inputPrefix.size())));
         return component.name;
     }
 
     /// The component that becomes the effect.
     std::string specialise(const EffectPlace& place, const Diagram& diagram) {
         setEffectClass(edit_, library_, effect_, place.connector, diagram.find(place.connector));
-        edit_.setModifier(place.connector, effect_.strength, "0");
+        edit_.setModifier(place.connector, effect_.parameters.strength, "0");
         return place.connector;
     }
 
@@ -268,7 +273,7 @@ private:
 Outcome<WiredBeside> wireInBeside(const Library& library, const syntax::ClassDefinition& model,
                                   const EffectClass& effect, const std::vector<EffectPlace>& places) {
     Diagram diagram;
-    if (effect.way == Way::Specialise) {
+    if (effect.placement.way == Way::Specialise) {
         Outcome<Diagram> read = readDiagram(library, model.name);
         if (!read) return read.diagnostics();
         diagram = std::move(*read);
@@ -276,8 +281,9 @@ Outcome<WiredBeside> wireInBeside(const Library& library, const syntax::ClassDef
     WiringBeside wiring(library, model, effect);
     WiredBeside wired;
     for (const EffectPlace& place : places)
-        wired.instances.push_back(effect.way == Way::Specialise ? wiring.specialise(place, diagram)
-                                                                : wiring.add(place, wired.instances.size() + 1));
+        wired.instances.push_back(effect.placement.way == Way::Specialise
+                                      ? wiring.specialise(place, diagram)
+                                      : wiring.add(place, wired.instances.size() + 1));
     Outcome<syntax::TextEdit> finished = wiring.finish(fmt::format("Add {} at {} places", effect.kind, places.size()));
     if (!finished) return finished.diagnostics();
     wired.edit = std::move(*finished);

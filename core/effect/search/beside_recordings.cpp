@@ -18,7 +18,7 @@ bool isOddlyDrawn(const SearchContext& search, const Node& path) {
     if (search.readings.drawn.clocks.empty() && search.readings.drawn.edges.empty()) return false;
     const auto isOfTime = [&](const PlacedEffect& e) {
         const FitEstimate* strength = path.null.fit.find(e.freed.front().name);
-        return !e.effect.signalSide.empty() && strength != nullptr && strength->unit == "s";
+        return !e.effect.placement.signalSide.empty() && strength != nullptr && strength->unit == "s";
     };
     const std::vector<PlacedEffect>& effects = path.null.variant.effects;
     return !isNoise(path.null) || std::any_of(effects.begin(), effects.end(), isOfTime);
@@ -39,8 +39,8 @@ Outcome<Done> beginAnew(SearchContext& search, NullModel& base) {
     search.frontier.beginsAnew = false;
     search.courses = {};
     search.frontier.opening.reset();
-    search.frontier.visited.clear();
-    search.frontier.lawless.clear();
+    search.frontier.stays.visited.clear();
+    search.frontier.stays.lawless.clear();
     search.frontier.otherEnds.clear();
     base.variant.task.recordings = search.readings.searched.task.recordings;
     Outcome<NullModel> next = fitNull(base.variant, base.noise, NoiseLevel::Estimate, search.fit, search.progress);

@@ -85,7 +85,7 @@ void keepBetter(SearchContext& search, Node& best, Node path, const NullModel& b
 /// first order, which far from the optimum tells little. Where such a path leads to noise, what it found is borne out.
 void addUnprovenPaths(SearchContext& search, Node& best, const NullModel& base, const Round& first) {
     std::size_t tried = 0;
-    for (const std::size_t begin : first.failsHeldOut) {
+    for (const std::size_t begin : first.refused.failsHeldOut) {
         const bool isEnough = tried == otherPaths || (tried > 0 && search.work.done > mostTrialWork);
         if (search.progress.stopRequested() || isNoise(best.null) || isEnough) return;
         const double chi2Decrease = base.sumOfSquares() - first.trials[begin].sumOfSquares();

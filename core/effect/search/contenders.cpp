@@ -55,7 +55,9 @@ std::vector<Contender> contendersOf(const SearchContext& search, const NullModel
         if (isClear) contenders.push_back({i, prediction});
     }
     // a form that may follow others is indicated only where none of them predicts better
-    const auto isFlexible = [&](const Contender& c) { return trials[c.trial].screened.candidate.effect.flexible; };
+    const auto isFlexible = [&](const Contender& c) {
+        return trials[c.trial].screened.candidate.effect.trial.flexible;
+    };
     if (!std::all_of(contenders.begin(), contenders.end(), isFlexible)) std::erase_if(contenders, isFlexible);
     return contenders;
 }
@@ -92,7 +94,8 @@ void chooseAmong(const SearchContext& search, const NullModel& null, const std::
     for (const Contender& c : alike) round.members.push_back(c.trial);
     const Trial& trial = round.trials[chosen.trial];
     round.acceptance = examine(search, null, trial, round.threshold);
-    round.behind = phrase("predicts less well what was left out than {}", nameOf(round.candidate(chosen.trial)));
+    round.refused.behind =
+        phrase("predicts less well what was left out than {}", nameOf(round.candidate(chosen.trial)));
 }
 
 void passOver(const Round& round, std::vector<Contender>& contenders) {

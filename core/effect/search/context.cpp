@@ -30,11 +30,13 @@ void WorkLimit::add(double steps) {
     if (most_ > 0 && done > most_) end_.request_stop();
 }
 
-void WorkLimit::check(double simulated) {
-    if (!(mostSimulated_ > 0 && simulated > mostSimulated_)) return;
+void WorkLimit::check() {
+    if (!(mostSimulated_ > 0 && simulated.done() > mostSimulated_)) return;
     isSpent_ = true;
     end_.request_stop();
 }
+
+double workAllowed(double patience, double fitWork) { return patience * std::max(leastPatience, mostOfAFit * fitWork); }
 
 bool Stay::isLike(const Stay& other) const {
     return effects == other.effects && std::abs(misfit - other.misfit) < sameOptimum * misfit;

@@ -27,8 +27,9 @@ public:
     void add(double steps);
     /// Ends the search where it has simulated more than `most` steps in all; 0: no limit.
     void limitSimulated(double most) { mostSimulated_ = most; }
-    void check(double simulated);
+    void check();
     bool isSpent() const { return isSpent_; }
+    WorkCount simulated;
     double done{};       // in steps of the trials
     int clockChanges{};  // that is, inputs drawn at other times, which must not go on for ever
     std::stop_token token() const { return end_.get_token(); }
@@ -40,6 +41,10 @@ private:
     std::stop_source end_;
     std::stop_callback<std::function<void()>> asked_;
 };
+
+/// What a search may simulate before it says what it has, in steps: as often as `patience` what the fit of the model as
+/// given (`fitWork` steps) asks for, and at least what takes a minute. 0: no limit.
+double workAllowed(double patience, double fitWork);
 
 /// Where a path has been.
 struct Stay {
@@ -59,16 +64,26 @@ struct Whole {
     bool predicts{};  // clearly better than the model as given
 };
 
+/// Where a search has been: what follows there is known.
+struct Stays {
+    std::vector<Stay> visited{};  // with the error of the fitted data [%]
+    std::vector<Stay> lawless{};  // where no law passed, with the sum of squares
+};
+
+/// The best so far, of named effects.
+struct BestOfNamed {
+    std::optional<Whole> whole{};      // what an interrupted search reports
+    std::optional<Whole> clear{};      // that was clear, where `whole` is not
+    std::optional<Whole> unweighed{};  // better by what a round chose and has not weighed against the rest
+};
+
 /// The nodes that were reached.
 struct Frontier {
-    std::vector<Node> otherEnds{};         // of paths that explain less than the best
-    std::vector<Stay> visited{};           // with the error of the fitted data [%]
-    std::vector<Stay> lawless{};           // where no law passed, with the sum of squares
-    std::optional<NullModel> origin{};     // of the path: without effects
-    std::optional<Node> opening{};         // where the first choice of all led
-    std::optional<Whole> whole{};          // the best so far, of named effects: what an interrupted search reports
-    std::optional<Whole> clear{};          // the best so far that was clear, where `whole` is not
-    std::optional<Whole> unweighed{};      // better by what a round chose and has not weighed against the rest
+    std::vector<Node> otherEnds{};  // of paths that explain less than the best
+    Stays stays{};
+    std::optional<NullModel> origin{};  // of the path: without effects
+    std::optional<Node> opening{};      // where the first choice of all led
+    BestOfNamed best{};
     std::vector<CandidateResult> noted{};  // of the path that was walked on last
     std::optional<Finding> begun{};        // the model as given: from there on there is something to report
     bool isIndicating{};                   // the last pass: also what only stands in for another name is tried
@@ -87,7 +102,6 @@ public:
     SearchContext(const EstimationTask& task, const DiscoverOptions& options, const Progress& progress);
 
     const DiscoverOptions options;
-    WorkCount simulated;
     WorkLimit work;
     const Progress progress;  // stops at the limit of the work, too
     FitOptions fit;           // of what is only searched: integrated as exactly as the noise asks for
@@ -99,7 +113,7 @@ public:
     Journal journal;
 
     /// Called outside of parallel passes alone: the same at any number of threads.
-    void checkWork() { work.check(simulated.done()); }
+    void checkWork() { work.check(); }
     void say(std::string stage, Text detail, double fraction) const {
         progress.report({std::move(stage), std::move(detail), fraction, frontier.bestError});
     }

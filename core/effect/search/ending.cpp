@@ -43,50 +43,51 @@ void tellPlaces(const std::vector<std::string>& places, std::vector<Remainder>& 
     for (Remainder& r : remainders) {
         if (isSensor && places.front().substr(outputPrefix.size()) != r.output) continue;
         r.node = places.front();
-        r.equalNodes.assign(places.begin() + 1, places.end());
+        r.proposal.equalNodes.assign(places.begin() + 1, places.end());
     }
 }
 
 /// What is left, as long as it is more than the forms of the effects may leave.
 void tellWhatIsLeft(const SearchContext& search, Ending& end, const Leftovers& left) {
     Finding& finding = end.finding;
-    finding.remainders = left.structure;
+    finding.unexplained.remainders = left.structure;
     // else that accounts for it
     if (search.courses.areEmpty() && end.heldWrongly.empty()) append(finding.warnings, noiseRemarks(left));
     const bool isIndicated = std::any_of(end.node.steps.begin(), end.node.steps.end(),
                                          [](const Step& s) { return s.prediction.has_value(); });
     const bool isSmall =
-        !isIndicated && std::all_of(finding.remainders.begin(), finding.remainders.end(),
+        !isIndicated && std::all_of(finding.unexplained.remainders.begin(), finding.unexplained.remainders.end(),
                                     [&](const Remainder& r) { return isWithinForms(end.node, r.evidence); });
-    if (isSmall && end.conclusion.proposed.empty() && !finding.remainders.empty()) {
+    if (isSmall && end.conclusion.proposed.empty() && !finding.unexplained.remainders.empty()) {
         finding.warnings.push_back(
             phrase("what is left on output '{}' of '{}' is not quite noise, but far less than what was found "
                    "explains: the forms of its blocks (a rounded change of sign, an exact square) may leave as much",
-                   finding.remainders.front().output, finding.remainders.front().experiment));
-        finding.remainders.clear();
+                   finding.unexplained.remainders.front().output, finding.unexplained.remainders.front().experiment));
+        finding.unexplained.remainders.clear();
     }
-    tellPlaces(end.source.places, finding.remainders);
-    if (!finding.remainders.empty()) finding.disturbance = end.source.flow;
+    tellPlaces(end.source.places, finding.unexplained.remainders);
+    if (!finding.unexplained.remainders.empty()) finding.unexplained.disturbance = end.source.flow;
 }
 
 void tellProposals(const SearchContext& search, Ending& end, const std::vector<ColouredNoise>& noise) {
     Finding& finding = end.finding;
     if (!end.conclusion.proposed.empty()) {
         append(finding.warnings, std::move(end.conclusion.sameByName));
-        finding.proposed = std::move(end.conclusion.model);
+        finding.unexplained.proposed = std::move(end.conclusion.model);
     }
     const std::size_t offered = end.conclusion.proposed.size();
-    offer(std::move(end.conclusion.proposed), noise, finding.final, finding.remainders);
+    offer(std::move(end.conclusion.proposed), noise, finding.final, finding.unexplained.remainders);
     if (offered > 0 && end.conclusion.with)
-        keepWhatIsLeft(*end.conclusion.with, offered, search.options.fit.simulation, finding.remainders);
+        keepWhatIsLeft(*end.conclusion.with, offered, search.options.fit.simulation, finding.unexplained.remainders);
 }
 
 /// A parameter that is not constant, first among what is left, and what it accounts for not told again.
 template <class Course>
 void offerCourse(const SearchContext& search, Ending& end, const std::vector<ColouredNoise>& noise, Remainder r,
                  const Course& course) {
-    offerAlone(std::move(r), noise, end.finding.final, end.finding.remainders);
-    keepWhatIsLeft(end.base.with(course.variant, course.fit), 1, search.options.fit.simulation, end.finding.remainders);
+    offerAlone(std::move(r), noise, end.finding.final, end.finding.unexplained.remainders);
+    keepWhatIsLeft(end.base.with(course.variant, course.fit), 1, search.options.fit.simulation,
+                   end.finding.unexplained.remainders);
 }
 
 void tellChange(const SearchContext& search, Ending& end, const std::vector<ColouredNoise>& noise) {
@@ -99,9 +100,9 @@ void tellChange(const SearchContext& search, Ending& end, const std::vector<Colo
     const std::vector<Recording>& recordings = search.readings.full.task.recordings;
     if (const Outcome<ErrorsOfChange> errors =
             errorsOf(change, recordings, search.options.fit.simulation, search.progress)) {
-        r.errorFitWith = errors->fitted;
+        r.proposal.errors.fit = errors->fitted;
         if (errors->checks.size() == recordingsOf(search.readings.full.task, Role::Validate).size())
-            r.errorValidateWith = leastOf(errors->checks);
+            r.proposal.errors.validate = leastOf(errors->checks);
         for (const CheckOfChange& c : errors->checks) finding.warnings.push_back(remarkOf(c, change.parameter));
     }
     offerCourse(search, end, noise, std::move(r), change);
@@ -109,7 +110,7 @@ void tellChange(const SearchContext& search, Ending& end, const std::vector<Colo
 
 void tellHeldWrongly(Ending& end, const std::vector<ColouredNoise>& noise) {
     const std::vector<HeldInstead>& values = end.heldWrongly;
-    offerAlone(remainderOf(values.front()), noise, end.finding.final, end.finding.remainders);
+    offerAlone(remainderOf(values.front()), noise, end.finding.final, end.finding.unexplained.remainders);
     end.finding.warnings.push_back(remarkOf(values.front()));
     std::transform(values.begin() + 1, values.end(), std::back_inserter(end.finding.warnings), remarkOfEqual);
 }
@@ -119,8 +120,8 @@ void tellDependence(const SearchContext& search, Ending& end, const std::vector<
     Remainder r = remainderOf(dependence);
     if (const Outcome<ModelState> with = stateOf(dependence.variant, dependence.fit, search.options.fit.simulation,
                                                  search.progress, Detail::Errors)) {
-        r.errorFitWith = errorPercentOf(*with, Role::Fit);
-        r.errorValidateWith = validationErrorOf(*with);
+        r.proposal.errors.fit = errorPercentOf(*with, Role::Fit);
+        r.proposal.errors.validate = validationErrorOf(*with);
     }
     offerCourse(search, end, noise, std::move(r), dependence);
     end.finding.warnings.push_back(
@@ -128,7 +129,8 @@ void tellDependence(const SearchContext& search, Ending& end, const std::vector<
 }
 
 FindingKind kindOf(const Finding& finding) {
-    if (finding.remainders.empty()) return finding.effects.empty() ? FindingKind::Adequate : FindingKind::Effect;
+    if (finding.unexplained.remainders.empty())
+        return finding.effects.empty() ? FindingKind::Adequate : FindingKind::Effect;
     return finding.effects.empty() ? FindingKind::Unexplained : FindingKind::Partial;
 }
 
@@ -151,8 +153,9 @@ Finding tellEnding(SearchContext& search, Ending end) {
     if (search.courses.change) tellChange(search, end, left.noise);
     if (!end.heldWrongly.empty()) tellHeldWrongly(end, left.noise);
     if (search.courses.dependence) tellDependence(search, end, left.noise);
-    for (Remainder& r : finding.remainders)
-        if (r.errorValidateWith >= 0) r.errorValidateWithout = errorPercentOf(finding.final, Role::Validate);
+    for (Remainder& r : finding.unexplained.remainders)
+        if (r.proposal.errors.validate >= 0)
+            r.proposal.errorValidateWithout = errorPercentOf(finding.final, Role::Validate);
     finding.candidates = std::move(end.node.candidates);
     settleVerdicts(finding, finding.candidates);
 
@@ -180,7 +183,7 @@ Finding tellEnding(SearchContext& search, Ending end) {
     Variant asMeasured = null.variant;
     asMeasured.task.recordings = measured.recordings;
     append(finding.warnings, otherValues(asMeasured, sound, search.fit, search.progress));
-    if (!finding.remainders.empty()) {
+    if (!finding.unexplained.remainders.empty()) {
         append(finding.warnings, wrongStarts(finding.final, Role::Fit));
         append(finding.warnings, stuckReadings(readings.full.task));
     }

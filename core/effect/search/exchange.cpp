@@ -21,7 +21,8 @@ namespace {
 
 /// Whether both are the same fault of a measured or a commanded signal: an offset and an offset, a lag and a lag.
 bool isSameFault(const EffectClass& a, const EffectClass& b) {
-    return !a.signalSide.empty() && !b.signalSide.empty() && a.proposal.empty() && faultOf(a) == faultOf(b);
+    return !a.placement.signalSide.empty() && !b.placement.signalSide.empty() && a.proposal.empty() &&
+           faultOf(a) == faultOf(b);
 }
 
 /// While much is left, what is likelier than an effect and does as well as the best comes first.
@@ -79,7 +80,8 @@ struct Contested {
 bool isKnown(const Contested& old, const Candidate& c) {
     const std::vector<Alternative>& known = old.step().alternatives;
     return std::any_of(known.begin(), known.end(), [&](const Alternative& a) {
-        return a.kind == c.effect.kind && a.at == c.place.at && (a.equivalent || !c.effect.signalSide.empty());
+        return a.kind == c.effect.kind && a.at == c.place.at &&
+               (a.equivalent || !c.effect.placement.signalSide.empty());
     });
 }
 
@@ -100,7 +102,7 @@ bool isRival(const Contested& old, const Candidate& c, Rivals wanted, const Effe
         return isAtAnotherSignal(old, c) ||
                (isOther && c.place.connector == placed.place.connector && !isKnown(old, c));
     // at a signal's place, what goes there too is taken for it most easily; no round may have told so
-    if (isOther && !placed.effect.signalSide.empty() && c.place == placed.place) return true;
+    if (isOther && !placed.effect.placement.signalSide.empty() && c.place == placed.place) return true;
     const std::vector<Candidate>& rivals = old.step().rivals;
     return std::any_of(rivals.begin(), rivals.end(), [&](const Candidate& rival) {
         return c.effect.className == rival.effect.className && c.place == rival.place;
@@ -257,7 +259,7 @@ bool replaceByNew(SearchContext& search, Node& node, std::size_t effect, Visited
 
 bool reconsider(SearchContext& search, Node& node) {
     const auto hasRivals = [&](std::size_t i) {
-        return !node.steps[i].rivals.empty() || !node.null.variant.effects[i].effect.signalSide.empty();
+        return !node.steps[i].rivals.empty() || !node.null.variant.effects[i].effect.placement.signalSide.empty();
     };
     Visited visited(node);
     bool changed = false;
@@ -280,8 +282,8 @@ namespace {
 /// one at that place does for both, it takes their place. True: it did.
 bool doesForBoth(SearchContext& search, Node& node, std::size_t effect, std::size_t part) {
     const PlacedEffect &odd = node.null.variant.effects[effect], lesser = node.null.variant.effects[part];
-    const bool mayGoThere = odd.effect.ports.size() == lesser.effect.ports.size() && odd.effect.signalSide.empty() &&
-                            lesser.effect.signalSide.empty();
+    const bool mayGoThere = odd.effect.placement.ports.size() == lesser.effect.placement.ports.size() &&
+                            odd.effect.placement.signalSide.empty() && lesser.effect.placement.signalSide.empty();
     if (!mayGoThere || odd.place == lesser.place || !lacksAPart(odd, node.null.fit)) return false;
     std::optional<NullModel> rest = without(search, node.null, part);
     if (!rest) return false;

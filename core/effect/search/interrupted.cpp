@@ -55,20 +55,20 @@ Finding tellWhole(const SearchContext& search, const Node& node, const FlatModel
     finding.kind = finding.effects.empty() ? FindingKind::Interrupted
                    : isNoise(node.null)    ? FindingKind::Effect
                                            : FindingKind::Partial;
-    finding.interrupted = true;
+    finding.end.interrupted = true;
     return finding;
 }
 
 }  // namespace
 
 void Frontier::keepClear() {
-    if (whole && isClear(*whole)) clear = *whole;
+    if (best.whole && isClear(*best.whole)) best.clear = *best.whole;
 }
 
 Whole* Frontier::toTell() {
-    if (unweighed && isClear(*unweighed)) return &*unweighed;
-    if (whole && isClear(*whole)) return &*whole;
-    return clear ? &*clear : nullptr;
+    if (best.unweighed && isClear(*best.unweighed)) return &*best.unweighed;
+    if (best.whole && isClear(*best.whole)) return &*best.whole;
+    return best.clear ? &*best.clear : nullptr;
 }
 
 Outcome<ModelState> stateSoFar(const NullModel& null, const SimulationOptions& simulation) {
@@ -85,7 +85,7 @@ Outcome<Finding> fittedSoFar(const NullModel& null, const SimulationOptions& sim
     Finding finding;
     finding.baseline = finding.final = std::move(*state);
     finding.kind = FindingKind::Interrupted;
-    finding.interrupted = true;
+    finding.end.interrupted = true;
     return finding;
 }
 

@@ -32,9 +32,9 @@ void Journal::test(const std::string& step, const std::string& key, const Accept
         {{"explained", test.explained},
          {"evidence", test.evidence},
          {"effective", test.effective},
-         {"least_evidence", test.leastEvidence},
+         {"least_evidence", test.asked.evidence},
          {"held_out", test.heldOut},
-         {"least_held_out", test.leastHeldOutAsked},
+         {"least_held_out", test.asked.heldOut},
          {"share", test.share}},
         verdict, reason);
 }
@@ -98,12 +98,12 @@ void Journal::finding(const Finding& finding) const {
             {{"strength", e.parameters.empty() ? std::nan("") : e.parameters.front().value},
              {"delta_bic", e.evidence.deltaBic}},
             "reported");
-    for (const Remainder& r : finding.remainders)
-        add("left", r.node, {{"evidence", r.evidence}}, "reported", r.proposedEquation);
+    for (const Remainder& r : finding.unexplained.remainders)
+        add("left", r.node, {{"evidence", r.evidence}}, "reported", r.proposal.equation);
     add("finding", "",
         {{"error_before", errorPercentOf(finding.baseline, Role::Fit)},
          {"error_after", errorPercentOf(finding.final, Role::Fit)}},
-        name(finding.kind), finding.interrupted ? Text("interrupted") : finding.notSearched);
+        name(finding.kind), finding.end.interrupted ? Text("interrupted") : finding.end.notSearched);
 }
 
 }  // namespace analogon

@@ -51,7 +51,7 @@ std::size_t termsIn(const SearchContext& search, const NullModel& null) {
 
 bool addLaw(SearchContext& search, Node& node) {
     const Stay here = stayAt(search, node.null, node.null.sumOfSquares());
-    if (std::any_of(search.frontier.lawless.begin(), search.frontier.lawless.end(),
+    if (std::any_of(search.frontier.stays.lawless.begin(), search.frontier.stays.lawless.end(),
                     [&](const Stay& s) { return s.isLike(here); }))
         return false;
     std::vector<Trial> trials = tryLaws(search, node.null);
@@ -89,7 +89,7 @@ bool addLaw(SearchContext& search, Node& node) {
         return true;
     }
     search.journal.model("law", node.null, "none passes");
-    if (!search.progress.stopRequested()) search.frontier.lawless.push_back(here);
+    if (!search.progress.stopRequested()) search.frontier.stays.lawless.push_back(here);
     return false;
 }
 

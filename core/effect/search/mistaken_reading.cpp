@@ -26,9 +26,9 @@ Text errorsRead(const SearchContext& search, const Finding& finding, EstimationT
 /// A finding without a search, and why there was none.
 Finding unsearched(const SearchContext& search, Finding finding, const NullModel& null, Text why) {
     finding.kind = FindingKind::Unexplained;
-    finding.remainders = leftovers(null, search.options.fit.simulation).structure;
-    finding.notSearched = std::move(why);
-    finding.warnings.push_back(finding.notSearched);
+    finding.unexplained.remainders = leftovers(null, search.options.fit.simulation).structure;
+    finding.end.notSearched = std::move(why);
+    finding.warnings.push_back(finding.end.notSearched);
     for (Text& remark : recordingRemarks(search, null)) finding.warnings.push_back(std::move(remark));
     return finding;
 }

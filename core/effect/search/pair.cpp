@@ -71,7 +71,7 @@ void crossOver(SearchContext& search, Node& node) {
     if (!(reducedChi(node.null.fit) < mostForPairs)) return;
     for (std::size_t i = 0; i + 1 < node.null.variant.effects.size() && !search.progress.stopRequested(); ++i) {
         const PlacedEffect a = node.null.variant.effects[i], b = node.null.variant.effects.back();
-        const bool areFaults = !a.effect.signalSide.empty() && !b.effect.signalSide.empty() &&
+        const bool areFaults = !a.effect.placement.signalSide.empty() && !b.effect.placement.signalSide.empty() &&
                                a.effect.proposal.empty() && b.effect.proposal.empty() && a.twins.empty() &&
                                b.twins.empty();
         if (!areFaults || a.place == b.place || faultOf(a.effect) == faultOf(b.effect)) continue;
@@ -140,10 +140,10 @@ Round withPairMembers(SearchContext& search, const NullModel& null, Round round)
     round.trials.insert(round.trials.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     round.chosen.reset();
     round.members.clear();
-    round.failsHeldOut.clear();
-    round.tooFaint.clear();
-    round.refused.clear();
-    round.behind = phrase("explains less together with another than the pair with which the search began");
+    round.refused.failsHeldOut.clear();
+    round.refused.tooFaint.clear();
+    round.refused.why.clear();
+    round.refused.behind = phrase("explains less together with another than the pair with which the search began");
     rank(null, round.trials);
     return round;
 }
@@ -151,7 +151,7 @@ Round withPairMembers(SearchContext& search, const NullModel& null, Round round)
 std::optional<Round> chosenTogether(SearchContext& search, const Node& node, Round& round) {
     const NullModel& null = node.null;
     std::vector<std::size_t> begins;
-    for (const std::size_t i : round.tooFaint) {
+    for (const std::size_t i : round.refused.tooFaint) {
         const double chi2Decrease = null.sumOfSquares() - round.trials[i].sumOfSquares();
         if (begins.size() < otherPaths && chi2Decrease > goodPart * excess(null)) begins.push_back(i);
     }
@@ -180,8 +180,8 @@ std::optional<Round> chosenTogether(SearchContext& search, const Node& node, Rou
                             missed.accepted() ? "accepted" : "refused");
         if (!missed.accepted()) continue;
         round.choose(null, begin, missed);
-        round.refused.erase(begin);
-        round.behind = phrase("explains less than {}", nameOf(round.candidate(begin)));
+        round.refused.why.erase(begin);
+        round.refused.behind = phrase("explains less than {}", nameOf(round.candidate(begin)));
         return second;
     }
     return std::nullopt;

@@ -71,11 +71,11 @@ std::optional<double> keepBest(SearchContext& search, const Node& path, std::opt
     if (!after || search.progress.stopRequested()) return std::nullopt;
     const Frontier& frontier = search.frontier;
     const double error = errorPercentOf(*after, Role::Fit);
-    const bool isBetter = !frontier.whole || error < errorPercentOf(*frontier.whole->node.state, Role::Fit);
+    const bool isBetter = !frontier.best.whole || error < errorPercentOf(*frontier.best.whole->node.state, Role::Fit);
     if (!isBetter || hasProposal(path.null)) return error;
     const bool predicts = frontier.origin && predictsClearlyBetter(search, path.null, *frontier.origin);
-    search.frontier.unweighed.reset();
-    if (&best == &search.frontier.whole) search.frontier.keepClear();
+    search.frontier.best.unweighed.reset();
+    if (&best == &search.frontier.best.whole) search.frontier.keepClear();
     best = Whole{path, search.readings, predicts};
     best->node.state = std::move(*after);
     keepSoFar(search, path.candidates);
@@ -85,16 +85,16 @@ std::optional<double> keepBest(SearchContext& search, const Node& path, std::opt
 /// Keeps the node where it is the best so far; true where the search has been there before.
 bool visit(SearchContext& search, Node& path) {
     Frontier& frontier = search.frontier;
-    const std::optional<double> error = keepBest(search, path, frontier.whole);
+    const std::optional<double> error = keepBest(search, path, frontier.best.whole);
     if (!error) return false;
     frontier.bestError = std::min(frontier.bestError, *error);
-    if (!hasProposal(path.null)) frontier.unweighed.reset();  // else the best of named effects stays
+    if (!hasProposal(path.null)) frontier.best.unweighed.reset();  // else the best of named effects stays
     Stay here = stayAt(search, path.null, *error);
-    const auto before =
-        std::find_if(frontier.visited.begin(), frontier.visited.end(), [&](const Stay& s) { return s.isLike(here); });
-    const bool isThere = before != frontier.visited.end();
+    const auto before = std::find_if(frontier.stays.visited.begin(), frontier.stays.visited.end(),
+                                     [&](const Stay& s) { return s.isLike(here); });
+    const bool isThere = before != frontier.stays.visited.end();
     path.meetsAnother = isThere && before->path != search.journal.path;
-    if (!isThere) frontier.visited.push_back(std::move(here));
+    if (!isThere) frontier.stays.visited.push_back(std::move(here));
     return isThere;
 }
 
@@ -113,7 +113,7 @@ bool goOnByOne(SearchContext& search, Node& path, Round round) {
     if (search.progress.stopRequested()) return false;
     noteAll(search, path, round);
     if (!round.chosen || !addChoices(search, path, round, other)) return false;
-    keepBest(search, path, frontier.unweighed);
+    keepBest(search, path, frontier.best.unweighed);
     weighAgain(search, path);
     frontier.beginsAnew = takesEdgesForDelays(search, path.null);
     if (frontier.beginsAnew || visit(search, path)) return false;

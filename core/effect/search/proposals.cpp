@@ -46,10 +46,10 @@ void tell(Remainder& r, const PlacedEffect& placed, const NullModel& model, cons
     if (state)
         if (const Outcome<FlatModel> valued = flattened(model.variant.task, state->modelText))
             addOtherParameters(*valued, placed, values);
-    r.proposedEquation = withValues(equationOf(placed), values);
+    r.proposal.equation = withValues(equationOf(placed), values);
     if (state) {
-        r.errorFitWith = errorPercentOf(*state, Role::Fit);
-        r.errorValidateWith = validationErrorOf(*state);
+        r.proposal.errors.fit = errorPercentOf(*state, Role::Fit);
+        r.proposal.errors.validate = validationErrorOf(*state);
     }
 }
 
@@ -69,9 +69,9 @@ Conclusion takeOutProposals(SearchContext& search, Node& node) {
         r.node = placed.place.at;
         const Acceptance& gain = node.steps[i].acceptance;
         r.evidence = std::max({gain.evidence, gain.effective, 0.0});
-        r.proposedClass = placed.effect.className;
+        r.proposal.className = placed.effect.className;
         if (const auto law = search.laws.find(placed.effect.className); law != search.laws.end())
-            r.proposedBlock = law->second;
+            r.proposal.block = law->second;
         tell(r, placed, node.null, with);
         std::optional<NullModel> rest = without(search, node.null, i);
         if (!rest) continue;
@@ -85,14 +85,14 @@ Conclusion takeOutProposals(SearchContext& search, Node& node) {
         };
         const bool isOffered = !isDoubtful || isMore();
         search.journal.test("proposal", keyOf(placed.effect, placed.place), gain, isOffered ? "offered" : "taken out",
-                            r.proposedEquation);
+                            r.proposal.equation);
         if (isOffered) {
             for (const Alternative& a : node.steps[i].alternatives)
                 if (a.equivalent && a.kind == placed.effect.kind)
-                    r.equalNodes.push_back(a.at);
+                    r.proposal.equalNodes.push_back(a.at);
                 else if (a.equivalent)
-                    found.sameByName.push_back(
-                        phrase("{} at {} explains as much with more parameters: {}", a.kind, a.at, r.proposedEquation));
+                    found.sameByName.push_back(phrase("{} at {} explains as much with more parameters: {}", a.kind,
+                                                      a.at, r.proposal.equation));
             found.proposed.push_back(std::move(r));
         } else {
             setVerdict(search, node, placed, Verdict::NotSignificant, takenOut(noMoreThanDisturbance()));
@@ -116,7 +116,7 @@ void tellBesideNames(const SearchContext& search, const Node& node, const std::v
         else
             ++stood;
         for (Remainder& r : conclusion.proposed)
-            if (e.effect.className == r.proposedClass && e.place.at == r.node) {
+            if (e.effect.className == r.proposal.className && e.place.at == r.node) {
                 effects.push_back(e);
                 told.push_back(&r);
             }

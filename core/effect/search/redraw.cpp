@@ -190,7 +190,7 @@ bool takesEdgesForDelays(SearchContext& search, const NullModel& null) {
          ++i) {
         const PlacedEffect& placed = null.variant.effects[i];
         const FitEstimate* strength = null.fit.find(placed.freed.front().name);
-        if (placed.effect.signalSide != "input" || strength == nullptr) continue;
+        if (placed.effect.placement.signalSide != "input" || strength == nullptr) continue;
         if (strength->unit != "s" || !(strength->value < interval)) continue;
         std::optional<NullModel> rest = without(search, null, i);
         if (!rest) continue;

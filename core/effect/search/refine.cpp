@@ -27,7 +27,8 @@ void treatAlike(SearchContext& search, Node& node) {
     for (std::size_t i = 0; i < node.null.variant.effects.size() && !search.progress.stopRequested(); ++i) {
         if (!(reducedChi(node.null.fit) > largeResidual)) return;
         const PlacedEffect& placed = node.null.variant.effects[i];
-        if (placed.effect.signalSide.empty() || !placed.effect.proposal.empty() || !placed.twins.empty()) continue;
+        if (placed.effect.placement.signalSide.empty() || !placed.effect.proposal.empty() || !placed.twins.empty())
+            continue;
         const std::vector<EffectPlace> like = likePlaces(node.null.variant, placed, search.catalogue);
         if (like.empty()) continue;
         search.say("reconsider", phrase("{} at every channel like {}", placed.effect.kind, placed.place.at), -1);

@@ -24,8 +24,9 @@ namespace {
 /// recorded, and a dead time and a lag differ in nothing else.
 bool isBetweenSamples(const Trial& trial, double interval) {
     const EffectClass& effect = trial.screened.candidate.effect;
-    const auto unit = effect.units.find(effect.strength);
-    if (effect.signalSide != "input" || unit == effect.units.end() || unit->second != "s") return false;
+    const auto unit = effect.parameters.units.find(effect.parameters.strength);
+    if (effect.placement.signalSide != "input" || unit == effect.parameters.units.end() || unit->second != "s")
+        return false;
     const FitEstimate* strength = trial.fit.find(trial.variant.effects.back().freed.front().name);
     return strength != nullptr && strength->value < interval;
 }
@@ -56,10 +57,10 @@ void preferSimple(const SearchContext& search, const NullModel& null, Round& rou
     for (const std::size_t i : simpler) {
         const Acceptance a = examine(search, null, trials[i], round.threshold);
         if (!a.accepted()) {
-            round.refused[i] = whyRefused(a, a.leastHeldOutAsked);
+            round.refused.why[i] = whyRefused(a, a.asked.heldOut);
             continue;
         }
-        round.refused[*round.chosen] =
+        round.refused.why[*round.chosen] =
             trials[i].freed() < best.freed()
                 ? phrase("{} explains nearly as much with fewer parameters", nameOf(round.candidate(i)))
                 : phrase("{} explains nearly as much, and is met more often", nameOf(round.candidate(i)));
@@ -74,7 +75,7 @@ std::vector<std::size_t> equalPlaces(const SearchContext& search, const NullMode
                                      const std::vector<Trial>& trials, std::size_t best) {
     const auto isFlowByLaw = [&](const Trial& t) {
         const EffectClass& effect = t.screened.candidate.effect;
-        return effect.signalSide.empty() && search.laws.contains(effect.className);
+        return effect.placement.signalSide.empty() && search.laws.contains(effect.className);
     };
     const Trial& first = trials[best];
     const double weight = independentShare(null, first.fit);
@@ -159,17 +160,17 @@ JudgedEquations judgeTrials(const SearchContext& search, const NullModel& null, 
     for (std::size_t i = 0; i < trials.size() && !round.chosen; ++i) {
         if (!trials[i].ok || trials[i].evidence < equivalenceMargin) break;
         if (isAtBound(trials[i]))
-            round.refused[i] = atBound();
+            round.refused.why[i] = atBound();
         else if (!areAskedFor && mayFollowOthers(null, trials[i]))
-            round.refused[i] = followsOthers();
+            round.refused.why[i] = followsOthers();
         else if (isProposal(trials[i]) && equations.accepted)
-            round.refused[i] = phrase("explains less than {}", nameOf(round.candidate(equations.accepted->trial)));
+            round.refused.why[i] = phrase("explains less than {}", nameOf(round.candidate(equations.accepted->trial)));
         else if (!isProposal(trials[i]) && fightsAnother(null, trials[i].fit))
-            round.refused[i] = fights();
-        if (round.refused.contains(i)) continue;
+            round.refused.why[i] = fights();
+        if (round.refused.why.contains(i)) continue;
         const Judged judged{i, examine(search, null, trials[i], round.threshold)};
         const Acceptance& acceptance = judged.acceptance;
-        if (!acceptance.accepted()) round.refused[i] = whyRefused(acceptance, acceptance.leastHeldOutAsked);
+        if (!acceptance.accepted()) round.refused.why[i] = whyRefused(acceptance, acceptance.asked.heldOut);
         if (isProposal(trials[i])) {
             if (acceptance.accepted())
                 equations.accepted = judged;
@@ -181,10 +182,10 @@ JudgedEquations judgeTrials(const SearchContext& search, const NullModel& null, 
         if (acceptance.accepted())
             round.chosen = i;
         else if (acceptance.isSignificant && !acceptance.holdsOut)
-            round.failsHeldOut.insert(i);
+            round.refused.failsHeldOut.insert(i);
         else if (!acceptance.isSignificant && !acceptance.isAtEdges && acceptance.heldOut > leastHeldOut &&
                  acceptance.isWorthwhile)
-            round.tooFaint.push_back(i);
+            round.refused.tooFaint.push_back(i);
     }
     return equations;
 }
@@ -201,7 +202,7 @@ bool standsUnconfirmed(const NullModel& null, const Round& round, const Trial& e
 void chooseEquation(const SearchContext& search, const NullModel& null, Round& round, Judged equation) {
     const std::vector<Trial>& trials = round.trials;
     if (round.chosen)
-        round.refused[*round.chosen] =
+        round.refused.why[*round.chosen] =
             phrase("{}, an equation without a name, is the better account", nameOf(round.candidate(equation.trial)));
     const std::vector<std::size_t> places = equalPlaces(search, null, trials, equation.trial);
     if (const std::size_t first = places.front(); first != equation.trial) {
@@ -222,7 +223,7 @@ void chooseEquation(const SearchContext& search, const NullModel& null, Round& r
 void decide(const SearchContext& search, const NullModel& null, Round& round) {
     const auto [accepted, unconfirmed] = judgeTrials(search, null, round);
     if (round.chosen) {
-        round.behind = phrase("explains less than {}", nameOf(round.candidate(*round.chosen)));
+        round.refused.behind = phrase("explains less than {}", nameOf(round.candidate(*round.chosen)));
         preferSimple(search, null, round);
     }
     std::optional<Judged> equation = accepted;
@@ -232,7 +233,7 @@ void decide(const SearchContext& search, const NullModel& null, Round& round) {
     // where an equation without a name explains clearly more than any name, none of the names fits
     if (beatsNames(null, round.trials, equation->trial, round.chosen))
         return chooseEquation(search, null, round, *equation);
-    round.refused[equation->trial] =
+    round.refused.why[equation->trial] =
         round.chosen ? phrase("an equation without a name, and not clearly a better account than {}",
                               nameOf(round.candidate(*round.chosen)))
                      : withinChance(round.trials[equation->trial].evidence, 2 * equivalenceMargin);
@@ -245,7 +246,7 @@ void Round::choose(const NullModel& null, std::size_t trial, const Acceptance& t
 }
 
 void Round::passOver(const Text& why) {
-    if (chosen) refused[*chosen] = why;
+    if (chosen) refused.why[*chosen] = why;
     chosen.reset();
     members.clear();
 }

@@ -12,6 +12,14 @@ namespace analogon {
 
 class SearchContext;
 
+/// Trials of a round that are not chosen, and why.
+struct RefusedTrials {
+    std::set<std::size_t> failsHeldOut;
+    std::vector<std::size_t> tooFaint;  // that fail no test but by the little evidence
+    std::map<std::size_t, Text> why;
+    Text behind;  // what the trials that no test refused came second to
+};
+
 /// What was tried beside one model, and what was decided.
 struct Round {
     std::vector<Screened> screened;
@@ -19,11 +27,8 @@ struct Round {
     double threshold{};
     std::optional<std::size_t> chosen;  // of the trials
     std::vector<std::size_t> members;   // of its class
-    std::set<std::size_t> failsHeldOut;
-    std::vector<std::size_t> tooFaint;    // that fail no test but by the little evidence
-    std::map<std::size_t, Text> refused;  // of the trials, why
-    Text behind;                          // what the trials that no test refused came second to
-    double leastScore{};                  // for a trial
+    RefusedTrials refused;
+    double leastScore{};  // for a trial
     Acceptance acceptance;
 
     const Candidate& candidate(std::size_t trial) const { return trials[trial].screened.candidate; }

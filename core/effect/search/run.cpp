@@ -50,14 +50,14 @@ Outcome<Finding> Run::run() {
     };
     Outcome<Finding> finding = found();
     if (!finding) return finding;
-    finding->seconds = secondsSince(begin);
-    finding->isAtLimitOfWork = search_.work.isSpent();
-    if (finding->isAtLimitOfWork)
+    finding->end.seconds = secondsSince(begin);
+    finding->end.isAtLimitOfWork = search_.work.isSpent();
+    if (finding->end.isAtLimitOfWork)
         finding->warnings.push_back(phrase(
             "the search was ended after {:.0f} times the work of the fit of the model as given, and says what it had "
             "until then; with more patience (--patience {:.0f}) it goes on",
-            search_.simulated.done() / fitWork_, 10 * search_.options.patience));
-    search_.journal.add("work", "", {{"steps", search_.simulated.done()}, {"of_fit", fitWork_}}, "counted");
+            search_.work.simulated.done() / fitWork_, 10 * search_.options.patience));
+    search_.journal.add("work", "", {{"steps", search_.work.simulated.done()}, {"of_fit", fitWork_}}, "counted");
     search_.journal.finding(*finding);
     return finding;
 }
@@ -119,7 +119,7 @@ Outcome<Done> Run::fitAsGiven() {
         warnings.push_back(null->beginning->remark);
     }
     if (const Outcome<Done> fitted = fitOnAll(); !fitted) return fitted.diagnostics();
-    fitWork_ = search_.simulated.done();  // without what other starts and faulty samples cost
+    fitWork_ = search_.work.simulated.done();  // without what other starts and faulty samples cost
     search_.journal.model("null fit", *null, "fitted");
     const bool isAtRest = !anyOutputMoves(readings.full.task);
     const bool hasFaults = !isAtRest && leaveOutFaults(search_, onAll_ ? *onAll_ : *null);
@@ -146,7 +146,7 @@ Outcome<Done> Run::fitAsGiven() {
 void Run::keepAsInterrupted() {
     search_.frontier.begun = end_.finding;
     search_.frontier.begun->kind = FindingKind::Interrupted;
-    search_.frontier.begun->interrupted = true;
+    search_.frontier.begun->end.interrupted = true;
 }
 
 Outcome<Done> Run::tellAsGiven() {
@@ -162,7 +162,7 @@ Outcome<Done> Run::tellAsGiven() {
     keepAsInterrupted();
     keepSoFar(search_, {});
     search_.journal.model("null fit", end_.base, "base");
-    search_.work.limitSimulated(search_.options.patience * std::max(leastPatience, mostOfAFit * fitWork_));
+    search_.work.limitSimulated(workAllowed(search_.options.patience, fitWork_));
     search_.fit.simulation.relativeTolerance = toleranceBeside(end_.base, simulation.relativeTolerance);
     return Done{};
 }
@@ -208,7 +208,7 @@ bool Run::isNotToBeSearched() {
     if (why.empty()) return false;
     end_.finding.kind = FindingKind::Unexplained;
     end_.finding.warnings.push_back(why);
-    end_.finding.notSearched = std::move(why);
+    end_.finding.end.notSearched = std::move(why);
     return true;
 }
 
@@ -247,7 +247,7 @@ void Run::concludeBestPath() {
     const Courses& courses = search_.courses;
     std::vector<Node> ends{end_.node};
     ends.insert(ends.end(), search_.frontier.otherEnds.begin(), search_.frontier.otherEnds.end());
-    if (search_.frontier.whole) ends.push_back(search_.frontier.whole->node);
+    if (search_.frontier.best.whole) ends.push_back(search_.frontier.best.whole->node);
     settleCourses(search_, base, end_.node.null);
     if (!courses.areEmpty()) {
         takeOutAll(search_, end_.node, base, betterAccount(courses));

@@ -52,8 +52,8 @@ std::vector<TrialStarts*> contenders(const NullModel& null, const std::vector<st
 
 /// Traces that the screening of a candidate takes.
 std::size_t tracesOf(const EffectClass& effect) {
-    std::size_t count = std::max<std::size_t>(1, effect.secant.size());
-    for (const auto& [name, values] : effect.shape) count *= values.size();
+    std::size_t count = std::max<std::size_t>(1, effect.trial.secant.size());
+    for (const auto& [name, values] : effect.parameters.shape) count *= values.size();
     return count;
 }
 
@@ -147,7 +147,7 @@ Outcome<std::vector<Candidate>> candidatesIn(const SearchContext& search, const 
     // behind a source whose flow is proportional to a command it is the lag of that command, and is its class
     const bool areTwins = search.options.kinds.empty() && search.options.choices.empty();
     if (candidates && areTwins && !search.frontier.isIndicating)
-        std::erase_if(*candidates, [](const Candidate& c) { return c.effect.behindSource; });
+        std::erase_if(*candidates, [](const Candidate& c) { return c.effect.placement.behindSource; });
     if (candidates && !search.options.choices.empty())
         std::erase_if(*candidates, [&](const Candidate& c) {
             const EffectChoice choice{c.effect.className, c.place.at};

@@ -27,16 +27,17 @@ void note(const SearchContext& search, Node& node, const Screened& s, Verdict ve
     c.at = s.candidate.place.at;
     c.channel = s.candidate.place.spare;
     c.className = s.candidate.effect.className;
-    c.score = s.score();
-    c.strength = s.probes.empty() ? 0 : s.probes.front().strength();
+    c.screening.score = s.score();
+    c.screening.strength = s.probes.empty() ? 0 : s.probes.front().strength();
     c.deltaBic = deltaBic;
     c.verdict = verdict;
-    c.absorbedBy = s.absorbedBy;
+    c.screening.absorbedBy = s.absorbedBy;
     c.round = search.journal.round;
     c.failure = failure;
     c.reason = why;
     search.journal.add("judge", keyOf(s.candidate.effect, s.candidate.place),
-                       {{"score", c.score}, {"delta_bic", deltaBic.value_or(std::nan(""))}}, name(verdict), why);
+                       {{"score", c.screening.score}, {"delta_bic", deltaBic.value_or(std::nan(""))}}, name(verdict),
+                       why);
     node.candidates.push_back(std::move(c));
 }
 
@@ -94,10 +95,10 @@ void noteAll(SearchContext& search, Node& node, const Round& round) {
         const Trial& t = round.trials[i];
         refitted.insert(keyOf(t.screened.candidate.effect, t.screened.candidate.place));
         Verdict verdict = Verdict::NotSignificant;
-        const auto refused = round.refused.find(i);
-        Text why = refused != round.refused.end()   ? refused->second
-                   : t.evidence < equivalenceMargin ? withinChance(t.evidence, equivalenceMargin)
-                                                    : round.behind;
+        const auto refused = round.refused.why.find(i);
+        Text why = refused != round.refused.why.end() ? refused->second
+                   : t.evidence < equivalenceMargin   ? withinChance(t.evidence, equivalenceMargin)
+                                                      : round.refused.behind;
         if (!t.ok) {
             verdict = Verdict::Failed;
             why =
@@ -108,7 +109,7 @@ void noteAll(SearchContext& search, Node& node, const Round& round) {
         } else if (std::find(round.members.begin(), round.members.end(), i) != round.members.end()) {
             verdict = Verdict::Equivalent;
             why = phrase("the data cannot tell it from {}", nameOf(round.candidate(*round.chosen)));
-        } else if (round.failsHeldOut.contains(i)) {
+        } else if (round.refused.failsHeldOut.contains(i)) {
             verdict = Verdict::FailsHeldOut;
         } else if (round.chosen && t.evidence > equivalenceMargin) {
             verdict = Verdict::Weaker;
@@ -153,17 +154,19 @@ void settleVerdicts(const Finding& finding, std::vector<CandidateResult>& candid
     };
     const auto isThere = [&](const CandidateResult& c) {
         return isAmong(finding.effects, c) ||
-               std::any_of(finding.remainders.begin(), finding.remainders.end(),
-                           [&](const Remainder& r) { return r.proposedClass == c.className && r.node == c.at; });
+               std::any_of(finding.unexplained.remainders.begin(), finding.unexplained.remainders.end(),
+                           [&](const Remainder& r) { return r.proposal.className == c.className && r.node == c.at; });
     };
     const auto isEqual = [&](const CandidateResult& c) {
         return isAmong(finding.effects, c) ||
                std::any_of(finding.effects.begin(), finding.effects.end(),
-                           [&](const AddedEffect& e) { return isAmong(e.alternatives, c); }) ||
-               std::any_of(finding.remainders.begin(), finding.remainders.end(), [&](const Remainder& r) {
-                   return r.proposedClass == c.className &&
-                          std::find(r.equalNodes.begin(), r.equalNodes.end(), c.at) != r.equalNodes.end();
-               });
+                           [&](const AddedEffect& e) { return isAmong(e.instead.effects, c); }) ||
+               std::any_of(finding.unexplained.remainders.begin(), finding.unexplained.remainders.end(),
+                           [&](const Remainder& r) {
+                               return r.proposal.className == c.className &&
+                                      std::find(r.proposal.equalNodes.begin(), r.proposal.equalNodes.end(), c.at) !=
+                                          r.proposal.equalNodes.end();
+                           });
     };
     for (CandidateResult& c : candidates) {
         if (c.verdict == Verdict::Chosen && !isThere(c)) {

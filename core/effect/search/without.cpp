@@ -51,7 +51,7 @@ std::optional<NullModel> without(const SearchContext& search, const NullModel& n
     const std::vector<PlacedEffect> others = allBut(null.variant.effects, effect);
     std::optional<NullModel> best = refittedWith(search, null, others);
     for (std::size_t i = 0; i < others.size() && !search.progress.stopRequested(); ++i)
-        for (const std::string& name : others[i].effect.whole)
+        for (const std::string& name : others[i].effect.parameters.whole)
             for (const double step : {-1.0, 1.0}) {
                 std::vector<PlacedEffect> next = others;
                 if (!isHeld(next[i], name)) continue;

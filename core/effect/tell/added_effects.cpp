@@ -16,10 +16,10 @@ AddedEffect describe(const NullModel& last, const ModelState& state, const Place
     effect.className = placed.effect.className;
     effect.description = placed.effect.description;
     effect.at = placed.place.at;
-    effect.way = placed.effect.way;
-    effect.instance = placed.instance;
-    effect.newInput = placed.newInput;
-    effect.channel = placed.place.spare;
+    effect.wired.way = placed.effect.placement.way;
+    effect.wired.instance = placed.instance;
+    effect.wired.newInput = placed.newInput;
+    effect.wired.channel = placed.place.spare;
     // an interrupted search may have a state of before the last refit
     const std::string& strength = placed.freed.front().name;
     const bool isInState = std::any_of(state.parameters.begin(), state.parameters.end(),
@@ -30,8 +30,9 @@ AddedEffect describe(const NullModel& last, const ModelState& state, const Place
                 effect.parameters.push_back(
                     {p.name.substr(placed.instance.size() + 1), e.value, e.standardError, e.unit});
     for (const auto& [name, value] : placed.values) {
-        const auto unit = placed.effect.units.find(name);
-        effect.parameters.push_back({name, value, std::nan(""), unit == placed.effect.units.end() ? "" : unit->second});
+        const auto unit = placed.effect.parameters.units.find(name);
+        effect.parameters.push_back(
+            {name, value, std::nan(""), unit == placed.effect.parameters.units.end() ? "" : unit->second});
     }
     effect.evidence.score = step.acceptance.explained;
     effect.evidence.pValue = pValue(step.acceptance.explained, static_cast<int>(placed.freed.size()), step.tried);
@@ -42,9 +43,9 @@ AddedEffect describe(const NullModel& last, const ModelState& state, const Place
     // what stands in the model as well is no other explanation, nor is another class of it; and each is named once
     for (const Alternative& a : step.alternatives)
         if (!stands(last.variant, a.kind, a.at) &&
-            std::none_of(effect.alternatives.begin(), effect.alternatives.end(),
+            std::none_of(effect.instead.effects.begin(), effect.instead.effects.end(),
                          [&](const Alternative& b) { return b.kind == a.kind && b.at == a.at; }))
-            effect.alternatives.push_back({a.kind, a.at, effect.evidence.deltaBic + a.deltaBic, a.equivalent});
+            effect.instead.effects.push_back({a.kind, a.at, effect.evidence.deltaBic + a.deltaBic, a.equivalent});
     return effect;
 }
 
@@ -52,11 +53,11 @@ AddedEffect describe(const NullModel& last, const ModelState& state, const Place
 void addTwins(Finding& finding, const PlacedEffect& placed, AddedEffect effect) {
     for (std::size_t t = 0; t < placed.twins.size(); ++t) {
         effect.at = placed.twins[t].at;
-        effect.instance = placed.twinInstances[t];
-        effect.alternatives.clear();
+        effect.wired.instance = placed.twinInstances[t];
+        effect.instead.effects.clear();
         finding.effects.push_back(effect);
         finding.warnings.push_back(
-            placed.effect.signalSide == "output"
+            placed.effect.placement.signalSide == "output"
                 ? phrase("{} stands at {} and {} with one set of parameters: equal sensors, and the data do not "
                          "tell them apart",
                          effect.kind, placed.place.at, effect.at)
@@ -81,7 +82,7 @@ std::vector<Text> addEffects(Finding& finding, const Node& node, const HeldValue
         effect.evidence.errorPercentAfter = errorAfter >= 0 ? errorAfter : errorPercentOf(finding.final, Role::Fit);
         if (const auto values = held.find(node.steps[i].order); values != held.end())
             for (const HeldInstead& h : values->second) {
-                effect.valuesInstead.push_back(h.text());
+                effect.instead.values.push_back(h.text());
                 heldRemarks.push_back(remarkOf(h, effect.kind, effect.at));
             }
         finding.effects.push_back(effect);

@@ -16,7 +16,7 @@ Remainder changing(const std::string& parameter, double evidence, Text equation)
     Remainder r;
     r.node = parameter.substr(0, parameter.rfind('.'));
     r.evidence = evidence;
-    r.proposedEquation = std::move(equation);
+    r.proposal.equation = std::move(equation);
     return r;
 }
 
@@ -76,8 +76,8 @@ Text remarkOfEqual(const HeldInstead& h) {
 
 Remainder remainderOf(const HeldInstead& h) {
     Remainder r = changing(h.parameter, h.explained, phrase("{} = {:.5g}", h.parameter, h.value));
-    r.errorFitWith = h.errorFitWith;
-    r.errorValidateWith = h.errorValidateWith;
+    r.proposal.errors.fit = h.errors.fit;
+    r.proposal.errors.validate = h.errors.validate;
     return r;
 }
 

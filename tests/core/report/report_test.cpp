@@ -105,7 +105,8 @@ TEST(ReportJson, NamesTheRemainder) {
     Finding finding = sampleFinding();
     finding.kind = FindingKind::Unexplained;
     finding.effects.clear();
-    finding.remainders.push_back({"i_mod", "element.solid", 33, 3, 8, "warm-up", {{"T_air", 0.83}}, "0.1*T_air"});
+    finding.unexplained.remainders.push_back(
+        {"i_mod", "element.solid", 33, 3, 8, "warm-up", {{"T_air", 0.83}}, "0.1*T_air"});
     const auto json = nlohmann::json::parse(reportJson(finding, discoverContext));
     EXPECT_EQ(json["finding"], "unexplained");
     EXPECT_EQ(json["remainder"]["output"], "i_mod");
@@ -115,7 +116,7 @@ TEST(ReportJson, NamesTheRemainder) {
     EXPECT_EQ(json["remainder"]["proposed_block"], "");
     EXPECT_FALSE(json.contains("with_proposals"));
     EXPECT_EQ(summaryText(finding).find("study-proposed"), std::string::npos);
-    finding.proposed = ProposedModel{finding.final, {}};
+    finding.unexplained.proposed = ProposedModel{finding.final, {}};
     const auto with = nlohmann::json::parse(reportJson(finding, discoverContext));
     EXPECT_EQ(with["with_proposals"], with["final"]) << "of the same shape";
     EXPECT_NE(summaryText(finding).find("study-proposed"), std::string::npos) << "and where it is, is told";
@@ -289,9 +290,9 @@ TEST(Report, DrawsAProfileAndCallsAValleyFlat) {
 
 TEST(Summary, SaysHowASearchEndedThatHasNotLookedAtEverything) {
     Finding finding = sampleFinding();
-    finding.interrupted = true;
+    finding.end.interrupted = true;
     EXPECT_THAT(summaryText(finding), HasSubstr("The search was interrupted; this is the best so far."));
-    finding.isAtLimitOfWork = true;
+    finding.end.isAtLimitOfWork = true;
     EXPECT_THAT(summaryText(finding), HasSubstr("The search ended at its limit of work; this is the best so far."));
 }
 
@@ -330,7 +331,7 @@ TEST(Summary, LeavesOutWhatHardlyMovesWithTheResidual) {
     EXPECT_THAT(remainderWords(remainder), Not(HasSubstr("moves")));
     remainder.node = "gear.flange_b";
     EXPECT_THAT(remainderWords(remainder), Not(HasSubstr("as well")));
-    remainder.equalNodes = {"motor.flange"};
+    remainder.proposal.equalNodes = {"motor.flange"};
     EXPECT_THAT(remainderWords(remainder), HasSubstr("it acts at gear.flange_b, or as well at motor.flange"));
 }
 
@@ -357,12 +358,12 @@ TEST(Words, TellEachKindOfFinding) {
 TEST(Words, SayWhenAProposalIsNotBorneOutByValidation) {
     Remainder remainder;
     remainder.output = "T";
-    remainder.proposedEquation = "y = u";
-    remainder.errorFitWith = 1.15;
-    remainder.errorValidateWith = 3.0;
-    remainder.errorValidateWithout = 4.31;
+    remainder.proposal.equation = "y = u";
+    remainder.proposal.errors.fit = 1.15;
+    remainder.proposal.errors.validate = 3.0;
+    remainder.proposal.errorValidateWithout = 4.31;
     EXPECT_THAT(remainderWords(remainder), ::testing::Not(::testing::HasSubstr("worse")));
-    remainder.errorValidateWith = 5.17;
+    remainder.proposal.errors.validate = 5.17;
     EXPECT_THAT(remainderWords(remainder), ::testing::HasSubstr("not borne out by validation: y = u"));
     EXPECT_THAT(remainderWords(remainder), ::testing::HasSubstr("5.17 % on validation data, worse than the 4.31 %"));
 }
@@ -412,8 +413,8 @@ TEST(Reports, NamesTheChannelThatDrivesACandidate) {
 TEST(Reports, TellsTheFlowThatNobodyMeasured) {
     Finding finding = sampleFinding();
     EXPECT_FALSE(nlohmann::json::parse(reportJson(finding, discoverContext)).contains("disturbance"));
-    finding.remainders.resize(1);
-    finding.disturbance = UnmeasuredFlow{"block.port", 0.8, "W", 150};
+    finding.unexplained.remainders.resize(1);
+    finding.unexplained.disturbance = UnmeasuredFlow{"block.port", 0.8, "W", 150};
     const nlohmann::json json = nlohmann::json::parse(reportJson(finding, discoverContext))["disturbance"];
     EXPECT_EQ(json["node"], "block.port");
     EXPECT_EQ(json["size"], 0.8);

@@ -76,67 +76,63 @@ inline Finding sampleFinding() {
     effect.kind = "thermal.radiation";
     effect.className = "Analogon.Effects.Thermal.Radiation";
     effect.at = "element.solid";
-    effect.instance = "radiation";
+    effect.wired.instance = "radiation";
     effect.description = "Radiation to the surroundings";
     effect.parameters = {{"k_r", 2.1034e-11, 3.1e-13, "W/K4"}};
     effect.evidence = {812.3, 0, -1540.2, 0.97, 8.6, 1.1};
-    effect.alternatives = {{"thermal.loss", "element.solid", -610.4, false},
-                           {"convection.exponent", "element", -1536.0, true}};
+    effect.instead.effects = {{"thermal.loss", "element.solid", -610.4, false},
+                              {"convection.exponent", "element", -1536.0, true}};
     finding.effects = {effect};
     finding.candidates = {
         {"thermal.radiation",
          "element.solid",
          "Analogon.Effects.Thermal.Radiation",
-         812.3,
-         2e-11,
+         {812.3, 2e-11, {}},
          -1540.2,
          Verdict::Chosen,
-         {},
          1},
         {"thermal.loss",
          "element.solid",
          "Analogon.Effects.Thermal.Loss",
-         640.2,
-         0.0123,
+         {640.2, 0.0123, {}},
          -610.4,
          Verdict::Weaker,
-         {},
          1},
         {"convection.exponent",
          "element",
          "Analogon.Effects.ThermalFluid.Exponent",
-         809.0,
-         0.4,
+         {809.0, 0.4, {}},
          -1536.0,
          Verdict::Equivalent,
-         {},
          1},
         {"resistance.series",
          "heater",
          "Analogon.Effects.ElectricThermal.SeriesResistance",
-         22.1,
-         0.31,
+         {22.1, 0.31, {}},
          -14.0,
          Verdict::FailsHeldOut,
-         {},
          1},
-        {"sensor.lag", "output i_mod", "Analogon.Effects.Sensor.Lag", 3.2, 0.01, {}, Verdict::NotSignificant, {}, 1},
+        {"sensor.lag", "output i_mod", "Analogon.Effects.Sensor.Lag", {3.2, 0.01, {}}, {}, Verdict::NotSignificant, 1},
         {"thermal.resistance",
          "heater.heatPort",
          "Analogon.Effects.Thermal.Resistance",
-         0.2,
-         0.4,
+         {0.2, 0.4, {"element.C", "heater.R"}},
          {},
          Verdict::Absorbed,
-         {"element.C", "heater.R"},
          1},
-        {"thermal.latent", "element.solid", "Analogon.Effects.Thermal.Latent", 5.5, -3, {}, Verdict::WrongSign, {}, 2}};
+        {"thermal.latent",
+         "element.solid",
+         "Analogon.Effects.Thermal.Latent",
+         {5.5, -3, {}},
+         {},
+         Verdict::WrongSign,
+         2}};
     finding.nextExperiment =
         "Hold u_heater at 5 V for 200 s with the engine off: radiation and natural convection then "
         "differ by 14 times the noise.";
     finding.warnings = {"train.csv:812: the recording pauses for 1.2 s before this row; its usual step is 0.05 s",
                         "R and alpha are <strongly> correlated (0.97)"};
-    finding.seconds = 12.3;
+    finding.end.seconds = 12.3;
     return finding;
 }
 

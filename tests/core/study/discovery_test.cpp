@@ -196,8 +196,8 @@ end Rotor;
                 << e.kind;
             EXPECT_TRUE(e.evidence.score < 200 || e.evidence.pValue < 1e-20) << e.kind;
         }
-        for (const Remainder& r : result->finding.remainders)  // what is left shows on a channel
-            EXPECT_TRUE(!r.output.empty() && !r.experiment.empty() && r.from < r.to) << r.proposedEquation;
+        for (const Remainder& r : result->finding.unexplained.remainders)  // what is left shows on a channel
+            EXPECT_TRUE(!r.output.empty() && !r.experiment.empty() && r.from < r.to) << r.proposal.equation;
         for (const CandidateResult& c : result->finding.candidates)  // and what is not, is not for a reason
             EXPECT_EQ(c.reason.empty(), c.verdict == Verdict::Chosen) << c.kind << " at " << c.at << ": " << c.reason;
         return std::move(result->finding);
@@ -228,7 +228,7 @@ TEST_F(Discovery, AddsNothingToNoise) {
     const Finding finding = search({0.02, [](double, double w, double) { return 0.03 * w; }});
     EXPECT_EQ(finding.kind, FindingKind::Adequate);
     EXPECT_TRUE(finding.effects.empty());
-    EXPECT_TRUE(finding.remainders.empty());
+    EXPECT_TRUE(finding.unexplained.remainders.empty());
 }
 
 // The record was cut out of a longer one: the shaft turns where it begins.
@@ -406,9 +406,9 @@ TEST_F(Discovery, FindsTwoThatHideEachOtherBesideWhatHasNoName) {
     for (const AddedEffect& e : finding.effects) kinds.insert(e.kind);
     EXPECT_TRUE(kinds.contains("friction.coulomb"));
     EXPECT_TRUE(kinds.contains("torque.constant") || kinds.contains("actuator.offset"));
-    ASSERT_FALSE(finding.remainders.empty());
-    EXPECT_EQ(finding.remainders.front().proposedClass, "Analogon.Effects.Proposals.UnequalDrag");
-    EXPECT_LT(finding.remainders.front().errorFitWith, 0.05);
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    EXPECT_EQ(finding.unexplained.remainders.front().proposal.className, "Analogon.Effects.Proposals.UnequalDrag");
+    EXPECT_LT(finding.unexplained.remainders.front().proposal.errors.fit, 0.05);
 }
 
 TEST_F(Discovery, FindsAConstantTorqueInNoiseWithAMemory) {
@@ -500,11 +500,11 @@ TEST_F(Discovery, WritesALawForWhatASensorPicksUp) {
     shaft.pickUp = 2;
     const Finding finding = search(shaft);
     EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
-    ASSERT_FALSE(finding.remainders.empty());
-    const Remainder& law = finding.remainders.front();
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    const Remainder& law = finding.unexplained.remainders.front();
     EXPECT_EQ(law.node, "output w");
-    EXPECT_NE(law.proposedEquation.find("w = w_true + a1*tau"), std::string::npos) << law.proposedEquation;
-    EXPECT_NE(law.proposedEquation.find("rad/(s.N.m)"), std::string::npos) << law.proposedEquation;
+    EXPECT_NE(law.proposal.equation.find("w = w_true + a1*tau"), std::string::npos) << law.proposal.equation;
+    EXPECT_NE(law.proposal.equation.find("rad/(s.N.m)"), std::string::npos) << law.proposal.equation;
 }
 
 /// Whoever accepts the equation opens a study that runs as was told, and runs on.
@@ -514,12 +514,12 @@ TEST_F(Discovery, WritesAStudyWithTheEquationThatIsProposed) {
     shaft.pickUp = 2;
     search(shaft);
     const Outcome<RunResult> result = runDiscover(read(), {});
-    ASSERT_TRUE(result && result->finding.proposed && !result->finding.remainders.empty());
+    ASSERT_TRUE(result && result->finding.unexplained.proposed && !result->finding.unexplained.remainders.empty());
     EXPECT_TRUE(result->finding.effects.empty()) << "what is proposed is no effect that was added";
-    EXPECT_EQ(result->finding.remainders.size(), 1u) << "what it accounts for is not told again as left";
-    EXPECT_NE(result->finding.remainders.front().proposedBlock.find("Icon("), std::string::npos)
+    EXPECT_EQ(result->finding.unexplained.remainders.size(), 1u) << "what it accounts for is not told again as left";
+    EXPECT_NE(result->finding.unexplained.remainders.front().proposal.block.find("Icon("), std::string::npos)
         << "without one it would not be seen in the diagram";
-    const double told = result->finding.remainders.front().errorFitWith;
+    const double told = result->finding.unexplained.remainders.front().proposal.errors.fit;
     ASSERT_TRUE(writeResults(*result, "discover", directory_ / "out"));
 
     const Outcome<Study> proposed = readStudy(directory_ / "out" / "study-proposed");
@@ -649,9 +649,10 @@ TEST_F(DiscoveryOnAPlate, ProposesALossThatSetsInAboveATemperature) {
     csv.close();
     const Finding finding = discovered();
     EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
-    ASSERT_FALSE(finding.remainders.empty());
-    const std::string& equation = finding.remainders.front().proposedEquation;
-    EXPECT_EQ(finding.remainders.front().proposedClass, "Analogon.Effects.Proposals.HeatValve") << equation;
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    const std::string& equation = finding.unexplained.remainders.front().proposal.equation;
+    EXPECT_EQ(finding.unexplained.remainders.front().proposal.className, "Analogon.Effects.Proposals.HeatValve")
+        << equation;
     const auto at = equation.find("T_o = ");
     ASSERT_NE(at, std::string::npos) << equation;
     EXPECT_NEAR(std::stod(equation.substr(at + 6)), 360, 2);
@@ -686,8 +687,8 @@ TEST_F(DiscoveryInADraught, GivesItNoName) {
         const Finding finding = search(seed);
         EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind << " for seed " << seed;
         EXPECT_EQ(finding.kind, FindingKind::Unexplained);
-        ASSERT_FALSE(finding.remainders.empty());
-        EXPECT_EQ(finding.remainders.front().node, "heater.port") << "one node with the plate's";
+        ASSERT_FALSE(finding.unexplained.remainders.empty());
+        EXPECT_EQ(finding.unexplained.remainders.front().node, "heater.port") << "one node with the plate's";
     }
 }
 
@@ -765,7 +766,7 @@ TEST_F(DiscoveryOnAMount, FindsALossToSurroundingsOfAnyTemperature) {
     EXPECT_EQ(finding.kind, FindingKind::Effect);
     EXPECT_NEAR(valueOf(loss, "G"), 0.1, 0.005);
     EXPECT_NEAR(valueOf(loss, "T_amb"), 258, 1);
-    for (const Alternative& a : loss.alternatives) EXPECT_NE(a.kind, loss.kind);
+    for (const Alternative& a : loss.instead.effects) EXPECT_NE(a.kind, loss.kind);
 }
 
 TEST_F(DiscoveryOnAMount, FindsALossToARecordedTemperature) {
@@ -775,7 +776,7 @@ TEST_F(DiscoveryOnAMount, FindsALossToARecordedTemperature) {
         ASSERT_EQ(finding.effects.size(), 1u) << column;
         const AddedEffect& loss = finding.effects.front();
         EXPECT_EQ(loss.kind, "thermal.loss");
-        EXPECT_EQ(loss.channel, column);
+        EXPECT_EQ(loss.wired.channel, column);
         EXPECT_EQ(finding.kind, FindingKind::Effect);
         EXPECT_NEAR(valueOf(loss, "G"), 0.1, 0.005);
     }
@@ -802,8 +803,8 @@ TEST_F(DiscoveryInADraught, SaysThatAnotherValueOfAHeldParameterExplainsMoreThan
     const Finding finding = search(6, 0, 300, 0, held);
     EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
     EXPECT_EQ(finding.kind, FindingKind::Unexplained);
-    ASSERT_FALSE(finding.remainders.empty());
-    const std::string& equation = finding.remainders.front().proposedEquation;
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    const std::string& equation = finding.unexplained.remainders.front().proposal.equation;
     ASSERT_EQ(equation.find("plate.C = "), 0u) << equation;
     EXPECT_NEAR(std::stod(equation.substr(10)), 15, 0.1);
 }
@@ -815,13 +816,13 @@ TEST_F(DiscoveryInADraught, SaysThatABoundIsTooNarrowWhereAnEffectImitatesWhatLi
     const Finding finding = search(6, 0, 300, 0, bound);
     std::string said;
     for (const Text& warning : finding.warnings) said += warning;
-    for (const Remainder& r : finding.remainders) said += r.proposedEquation;
+    for (const Remainder& r : finding.unexplained.remainders) said += r.proposal.equation;
     const std::string before = finding.effects.empty() ? "toRoom.G = " : "toRoom.G beyond its bound of 0.2: ";
     const std::size_t at = said.find(before);
     ASSERT_NE(at, std::string::npos) << said;
     EXPECT_NEAR(std::stod(said.substr(at + before.size())), 0.3, 0.001) << said;
     for (const AddedEffect& e : finding.effects)
-        for (const std::string& value : e.valuesInstead)
+        for (const std::string& value : e.instead.values)
             EXPECT_NEAR(std::stod(value.substr(value.find(" = ") + 3)), 0.3, 0.001) << value;
 }
 
@@ -884,13 +885,13 @@ TEST_F(DiscoveryInADrive, TakesOneWrongValueForNoTwoEffects) {
     record(2001, 4e-4, "R=0.6, L=1.6e-3, k=0.025", "J=7e-5", "ViscousLoad load(b=4e-4)", "");
     const Finding finding = discovered();
     EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
-    ASSERT_FALSE(finding.remainders.empty());
-    const Remainder& told = finding.remainders.front();
-    ASSERT_EQ(told.proposedEquation.english().find("rotor.J = "), 0u) << told.proposedEquation;
-    EXPECT_NEAR(std::stod(told.proposedEquation.english().substr(10)), 5e-5, 5e-7);
-    EXPECT_GT(told.errorFitWith, 0);
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    const Remainder& told = finding.unexplained.remainders.front();
+    ASSERT_EQ(told.proposal.equation.english().find("rotor.J = "), 0u) << told.proposal.equation;
+    EXPECT_NEAR(std::stod(told.proposal.equation.english().substr(10)), 5e-5, 5e-7);
+    EXPECT_GT(told.proposal.errors.fit, 0);
     EXPECT_GT(told.evidence, 1000);
-    EXPECT_LT(told.errorFitWith, 0.1 * finding.final.experiments.front().errorPercent);
+    EXPECT_LT(told.proposal.errors.fit, 0.1 * finding.final.experiments.front().errorPercent);
 }
 
 /// A dry friction that a constant torque hides.
@@ -942,7 +943,7 @@ TEST_F(Discovery, EndsTheSameOnAnyNumberOfThreads) {
             const CandidateResult &a = finding.candidates[i], &b = first.candidates[i];
             EXPECT_EQ(a.kind + " at " + a.at, b.kind + " at " + b.at);
             EXPECT_EQ(a.round, b.round) << a.kind << " at " << a.at;
-            EXPECT_EQ(a.score, b.score) << a.kind << " at " << a.at;
+            EXPECT_EQ(a.screening.score, b.screening.score) << a.kind << " at " << a.at;
             EXPECT_EQ(a.deltaBic, b.deltaBic) << a.kind << " at " << a.at;
             EXPECT_EQ(a.reason.english(), b.reason.english()) << a.kind << " at " << a.at;
         }
@@ -992,7 +993,7 @@ TEST_F(Discovery, EndsAtItsLimitOfWorkAsIfStopped) {
         options.discover.mostWork = 1;
         const Outcome<RunResult> result = runDiscover(read(), options);
         ASSERT_TRUE(result) << format(result.diagnostics());
-        EXPECT_TRUE(result->finding.interrupted);
+        EXPECT_TRUE(result->finding.end.interrupted);
         EXPECT_LT(result->finding.effects.size(), 2u);
         EXPECT_FALSE(result->finding.final.experiments.empty());
         if (text.empty()) text = result->finding.final.modelText;
@@ -1083,7 +1084,7 @@ TEST_F(DiscoveryInCoolant, TakesNothingForAFlowThatWouldActWithAnAbsurdPower) {
     const Finding finding = searchHousing(0, 0, 300);
     EXPECT_EQ(finding.kind, FindingKind::Unexplained);
     for (const AddedEffect& e : finding.effects) ADD_FAILURE() << e.kind << " at " << e.at;
-    EXPECT_FALSE(finding.remainders.empty());
+    EXPECT_FALSE(finding.unexplained.remainders.empty());
 }
 
 /// A heater in still air at a driver.
@@ -1164,34 +1165,37 @@ end Heater;
 TEST_F(DiscoveryInAHeater, TakesWhatHappensOnceForNoMelting) {
     const Finding finding = searchHeater({.event = -10}, false);
     EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
-    ASSERT_FALSE(finding.remainders.empty());
-    EXPECT_EQ(finding.remainders.front().proposedClass, "Analogon.Effects.Proposals.HeatPulse")
-        << finding.remainders.front().proposedEquation;
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    EXPECT_EQ(finding.unexplained.remainders.front().proposal.className, "Analogon.Effects.Proposals.HeatPulse")
+        << finding.unexplained.remainders.front().proposal.equation;
 }
 
 TEST_F(DiscoveryInAHeater, ProposesALimitOfThePower) {
     const Finding finding = searchHeater({.power = 30});
     EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
-    ASSERT_FALSE(finding.remainders.empty());
-    EXPECT_NE(finding.remainders.front().proposedEquation.find("R_T*i^2 <= limit with limit = 30"), std::string::npos)
-        << finding.remainders.front().proposedEquation;
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    EXPECT_NE(finding.unexplained.remainders.front().proposal.equation.find("R_T*i^2 <= limit with limit = 30"),
+              std::string::npos)
+        << finding.unexplained.remainders.front().proposal.equation;
 }
 
 TEST_F(DiscoveryInAHeater, ProposesAResistanceThatBends) {
     const Finding finding = searchHeater({.bend = 8e-6});
     EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
-    ASSERT_FALSE(finding.remainders.empty());
-    EXPECT_NE(finding.remainders.front().proposedEquation.find("beta*(T - T_ref)^2) with beta ="), std::string::npos)
-        << finding.remainders.front().proposedEquation;
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    EXPECT_NE(finding.unexplained.remainders.front().proposal.equation.find("beta*(T - T_ref)^2) with beta ="),
+              std::string::npos)
+        << finding.unexplained.remainders.front().proposal.equation;
 }
 
 TEST_F(DiscoveryInAHeater, ProposesAFilmInThePlug) {
     const Finding finding = searchHeater({.film = 2});
     EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
-    ASSERT_FALSE(finding.remainders.empty());
-    EXPECT_NE(finding.remainders.front().proposedEquation.find("v_c = R_c*i/(1 + (abs(i)/i_c)^m) with R_c ="),
-              std::string::npos)
-        << finding.remainders.front().proposedEquation;
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    EXPECT_NE(
+        finding.unexplained.remainders.front().proposal.equation.find("v_c = R_c*i/(1 + (abs(i)/i_c)^m) with R_c ="),
+        std::string::npos)
+        << finding.unexplained.remainders.front().proposal.equation;
 }
 
 // A pump that runs already when the logger starts: its speed has a start value, its current has none.
@@ -1282,9 +1286,9 @@ TEST_F(DiscoveryInAPump, TakesALimitOfTheVoltageForNoLimitOfTheTacho) {
 TEST_F(DiscoveryInAPump, SaysAtWhichTachoALimitOfItShows) {
     const Finding finding = searchPump({.shown = 341.5});
     EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
-    ASSERT_FALSE(finding.remainders.empty());
-    EXPECT_EQ(finding.remainders.front().proposedClass, "Analogon.Effects.Proposals.SensorLimit");
-    EXPECT_EQ(finding.remainders.front().output, "w");
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    EXPECT_EQ(finding.unexplained.remainders.front().proposal.className, "Analogon.Effects.Proposals.SensorLimit");
+    EXPECT_EQ(finding.unexplained.remainders.front().output, "w");
 }
 
 // Of a shaft that turns one way, a drag that differs with the direction is a viscous friction, as far as the data tell:
@@ -1295,8 +1299,8 @@ TEST_F(DiscoveryInAPump, TakesNoFrictionThatDrivesForADragThatDiffersWithTheDire
         searchPump({.friction = friction}, {"friction.coulomb", "friction.viscous", "proposal.drag.direction"});
     ASSERT_EQ(finding.effects.size(), 1u);
     EXPECT_EQ(finding.effects.front().kind, "friction.coulomb");
-    for (const Remainder& r : finding.remainders)
-        EXPECT_NE(r.proposedClass, "Analogon.Effects.Proposals.UnequalDrag") << r.proposedEquation;
+    for (const Remainder& r : finding.unexplained.remainders)
+        EXPECT_NE(r.proposal.className, "Analogon.Effects.Proposals.UnequalDrag") << r.proposal.equation;
 }
 
 /// A motor at a supply: a winding that warms and brushes.
@@ -1417,9 +1421,9 @@ TEST_F(DiscoveryInAMotor, LooksForNothingBesideAChangeThatIsAll) {
     const Finding finding = searchMotor({.loose = 1.08});
     EXPECT_TRUE(finding.effects.empty());
     EXPECT_EQ(finding.kind, FindingKind::Unexplained);
-    ASSERT_FALSE(finding.remainders.empty());
-    EXPECT_NE(finding.remainders.front().proposedEquation.find("motor.R = if time < 1"), std::string::npos)
-        << finding.remainders.front().proposedEquation;
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    EXPECT_NE(finding.unexplained.remainders.front().proposal.equation.find("motor.R = if time < 1"), std::string::npos)
+        << finding.unexplained.remainders.front().proposal.equation;
     for (const CandidateResult& c : finding.candidates) EXPECT_EQ(c.round, 1) << c.kind;
     EXPECT_TRUE(std::any_of(finding.candidates.begin(), finding.candidates.end(), [](const CandidateResult& c) {
         return c.reason == "a parameter that changes is the better account";
@@ -1450,14 +1454,14 @@ TEST_F(DiscoveryInAMotor, ReportsAWholeModelWhereverItIsInterrupted) {
         const Finding finding = discovered({}, Progress(source.get_token(), [&](const Progress::Report&) {
                                                if (++seen > share * all) source.request_stop();
                                            }));
-        EXPECT_TRUE(finding.interrupted);
+        EXPECT_TRUE(finding.end.interrupted);
         hasFoundSome = hasFoundSome || !finding.effects.empty();
         std::size_t ofEffects = 0;
         for (const AddedEffect& e : finding.effects) {
             EXPECT_EQ(e.kind.find("proposal"), std::string::npos) << e.kind;
-            EXPECT_NE(finding.final.modelText.find(e.instance), std::string::npos) << "stands in the model";
+            EXPECT_NE(finding.final.modelText.find(e.wired.instance), std::string::npos) << "stands in the model";
             for (const FitEstimate& p : finding.final.parameters)
-                ofEffects += p.name == e.instance + "." + e.parameters.front().name;
+                ofEffects += p.name == e.wired.instance + "." + e.parameters.front().name;
         }
         EXPECT_EQ(ofEffects, finding.effects.size()) << share;
         // R, k, J, b and what the effects brought: nothing of a trial that was not over
@@ -1500,9 +1504,9 @@ TEST_F(DiscoveryInAMotor, TellsNoDeadTimeFromALagBetweenTwoSamples) {
     EXPECT_EQ(shift.at, "input v");
     EXPECT_TRUE(shift.kind == "actuator.delay" || shift.kind == "actuator.lag") << shift.kind;
     const std::string other = shift.kind == "actuator.lag" ? "actuator.delay" : "actuator.lag";
-    const auto twin = std::find_if(shift.alternatives.begin(), shift.alternatives.end(),
+    const auto twin = std::find_if(shift.instead.effects.begin(), shift.instead.effects.end(),
                                    [&](const Alternative& a) { return a.kind == other && a.at == shift.at; });
-    ASSERT_NE(twin, shift.alternatives.end());
+    ASSERT_NE(twin, shift.instead.effects.end());
     EXPECT_TRUE(twin->equivalent);
 }
 
@@ -1511,28 +1515,30 @@ TEST_F(DiscoveryInAMotor, TakesASaturatingFieldForNoWarming) {
     // magnets that warm within a sample would explain most of it
     EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
     EXPECT_EQ(finding.kind, FindingKind::Unexplained);
-    ASSERT_FALSE(finding.remainders.empty());
-    const Remainder& law = finding.remainders.front();
-    EXPECT_NE(law.proposedEquation.find("k_i = k/sqrt(1 + q*i^2) with q = 0.004"), std::string::npos)
-        << law.proposedEquation;
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    const Remainder& law = finding.unexplained.remainders.front();
+    EXPECT_NE(law.proposal.equation.find("k_i = k/sqrt(1 + q*i^2) with q = 0.004"), std::string::npos)
+        << law.proposal.equation;
 }
 
 TEST_F(DiscoveryInAMotor, ProposesAFilmUnderTheBrushes) {
     const Finding finding = searchMotor({.film = 1});
     EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
-    ASSERT_FALSE(finding.remainders.empty());
-    EXPECT_NE(finding.remainders.front().proposedEquation.find("v_c = R_c*i/(1 + (abs(i)/i_c)^m) with R_c ="),
-              std::string::npos)
-        << finding.remainders.front().proposedEquation;
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    EXPECT_NE(
+        finding.unexplained.remainders.front().proposal.equation.find("v_c = R_c*i/(1 + (abs(i)/i_c)^m) with R_c ="),
+        std::string::npos)
+        << finding.unexplained.remainders.front().proposal.equation;
 }
 
 TEST_F(DiscoveryInAMotor, TakesALimitOfTheCurrentForNoLimitOfTheVoltage) {
     const Finding finding = searchMotor({.limit = 8});
     EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
     EXPECT_EQ(finding.kind, FindingKind::Unexplained);
-    ASSERT_FALSE(finding.remainders.empty());
-    EXPECT_NE(finding.remainders.front().proposedEquation.find("abs(i) <= limit with limit = 7.99"), std::string::npos)
-        << finding.remainders.front().proposedEquation;
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    EXPECT_NE(finding.unexplained.remainders.front().proposal.equation.find("abs(i) <= limit with limit = 7.99"),
+              std::string::npos)
+        << finding.unexplained.remainders.front().proposal.equation;
 }
 
 TEST_F(DiscoveryInAMotor, FindsFrictionThoughTheScaleOfAllTorquesIsFree) {
@@ -1585,14 +1591,15 @@ TEST_F(Discovery, ProposesAnEquationWhereNoNameFits) {
     const Finding finding = search({0.02, [](double, double w, double) { return 0.02 * w + 4e-5 * w * w * w; }});
     EXPECT_TRUE(finding.effects.empty());
     EXPECT_EQ(finding.kind, FindingKind::Unexplained);
-    ASSERT_FALSE(finding.remainders.empty());
-    EXPECT_NE(finding.remainders.front().proposedEquation.find("a*w^3"), std::string::npos)
-        << finding.remainders.front().proposedEquation;
-    EXPECT_EQ(finding.remainders.front().output, "w");
-    EXPECT_FALSE(finding.remainders.front().node.empty());
-    ASSERT_TRUE(finding.proposed);
-    EXPECT_NEAR(errorPercentOf(finding.proposed->state, Role::Fit), finding.remainders.front().errorFitWith, 1e-9);
-    EXPECT_NE(finding.proposed->state.modelText, finding.final.modelText);
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    EXPECT_NE(finding.unexplained.remainders.front().proposal.equation.find("a*w^3"), std::string::npos)
+        << finding.unexplained.remainders.front().proposal.equation;
+    EXPECT_EQ(finding.unexplained.remainders.front().output, "w");
+    EXPECT_FALSE(finding.unexplained.remainders.front().node.empty());
+    ASSERT_TRUE(finding.unexplained.proposed);
+    EXPECT_NEAR(errorPercentOf(finding.unexplained.proposed->state, Role::Fit),
+                finding.unexplained.remainders.front().proposal.errors.fit, 1e-9);
+    EXPECT_NE(finding.unexplained.proposed->state.modelText, finding.final.modelText);
 }
 
 TEST_F(Discovery, WritesALawThatNoBlockHas) {
@@ -1600,10 +1607,12 @@ TEST_F(Discovery, WritesALawThatNoBlockHas) {
         search({0.02, [](double, double w, double phi) { return 0.03 * w + 0.004 * phi * phi * phi; }});
     EXPECT_TRUE(stiffening.effects.empty()) << stiffening.effects.front().kind;
     EXPECT_EQ(stiffening.kind, FindingKind::Unexplained);
-    ASSERT_FALSE(stiffening.remainders.empty());
-    EXPECT_NE(stiffening.remainders.front().proposedEquation.find("tau = a1*phi^3 with a1 = 0.004"), std::string::npos)
-        << stiffening.remainders.front().proposedEquation;
-    EXPECT_LT(stiffening.remainders.front().errorFitWith, 0.3 * stiffening.baseline.experiments.front().errorPercent);
+    ASSERT_FALSE(stiffening.unexplained.remainders.empty());
+    EXPECT_NE(stiffening.unexplained.remainders.front().proposal.equation.find("tau = a1*phi^3 with a1 = 0.004"),
+              std::string::npos)
+        << stiffening.unexplained.remainders.front().proposal.equation;
+    EXPECT_LT(stiffening.unexplained.remainders.front().proposal.errors.fit,
+              0.3 * stiffening.baseline.experiments.front().errorPercent);
 }
 
 /// A flap in a spring that grows stiffer with its travel.
@@ -1650,9 +1659,11 @@ end Throttle;
     /// Expects the spring, told from where the recording begins, and no name.
     static void expectSpring(const Finding& finding) {
         EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
-        ASSERT_FALSE(finding.remainders.empty());
-        const std::string equation = finding.remainders.front().proposedEquation;
-        EXPECT_EQ(finding.remainders.front().proposedClass, "Analogon.Effects.Proposals.HardeningSpring") << equation;
+        ASSERT_FALSE(finding.unexplained.remainders.empty());
+        const std::string equation = finding.unexplained.remainders.front().proposal.equation;
+        EXPECT_EQ(finding.unexplained.remainders.front().proposal.className,
+                  "Analogon.Effects.Proposals.HardeningSpring")
+            << equation;
         EXPECT_NE(equation.find("a*(phi - phi_0)^3 with a = 0.1"), std::string::npos) << equation;
     }
 };
@@ -1867,31 +1878,31 @@ TEST_F(DiscoveryInAWindowDrive, FindsALagFarBelowTheSampleIntervalThatParameters
 TEST_F(DiscoveryInAWindowDrive, TellsBothSidesOfAGearWhereAnEquationMayStand) {
     const Finding finding = searchDrive({.cube = 1e-3, .c = 3'000});
     EXPECT_EQ(finding.kind, FindingKind::Unexplained);
-    ASSERT_FALSE(finding.remainders.empty());
-    const Remainder& first = finding.remainders.front();
-    EXPECT_NE(first.proposedEquation.find("a*w^3"), std::string::npos) << first.proposedEquation;
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    const Remainder& first = finding.unexplained.remainders.front();
+    EXPECT_NE(first.proposal.equation.find("a*w^3"), std::string::npos) << first.proposal.equation;
     // more parts may be the cause on that side
     EXPECT_EQ(first.node, "gear.flange_b");
-    EXPECT_EQ(first.equalNodes, std::vector<std::string>{"motor.flange"});
+    EXPECT_EQ(first.proposal.equalNodes, std::vector<std::string>{"motor.flange"});
 }
 
 TEST_F(DiscoveryInAWindowDrive, TellsBothSidesOfAGearWhereALawMayStand) {
     const Finding finding = searchDrive({.rub = 0.02, .c = 1000});
     EXPECT_TRUE(finding.effects.empty());
-    ASSERT_FALSE(finding.remainders.empty());
-    const Remainder& first = finding.remainders.front();
-    EXPECT_NE(first.proposedEquation.find("gear.flange_b.tau = a1*w*phi with a1 = 0.020"), std::string::npos)
-        << first.proposedEquation;
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    const Remainder& first = finding.unexplained.remainders.front();
+    EXPECT_NE(first.proposal.equation.find("gear.flange_b.tau = a1*w*phi with a1 = 0.020"), std::string::npos)
+        << first.proposal.equation;
     EXPECT_EQ(first.node, "gear.flange_b");
-    EXPECT_EQ(first.equalNodes, std::vector<std::string>{"motor.flange"});
+    EXPECT_EQ(first.proposal.equalNodes, std::vector<std::string>{"motor.flange"});
 }
 
 TEST_F(DiscoveryInAWindowDrive, TellsBothSidesOfAGearThatGivesALittle) {
     // by less than the form of an equation without a name is known
     const Finding finding = searchDrive({.cube = 1e-3, .c = 300});
-    ASSERT_FALSE(finding.remainders.empty());
-    EXPECT_EQ(finding.remainders.front().node, "gear.flange_b");
-    EXPECT_EQ(finding.remainders.front().equalNodes, std::vector<std::string>{"motor.flange"});
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    EXPECT_EQ(finding.unexplained.remainders.front().node, "gear.flange_b");
+    EXPECT_EQ(finding.unexplained.remainders.front().proposal.equalNodes, std::vector<std::string>{"motor.flange"});
 }
 
 TEST_F(DiscoveryInAWindowDrive, TellsAnOffsetOfTheCommandFromThatOfASensorOnceASpringIsThere) {
@@ -1983,20 +1994,20 @@ TEST_F(Discovery, WritesALawWithWhatItMovesWith) {
     const Finding finding = search(
         {0.02, [](double t, double w, double) { return 0.03 * w + 0.15 * signOf(w) * std::abs(excitation(t)); }});
     EXPECT_TRUE(finding.effects.empty());
-    ASSERT_FALSE(finding.remainders.empty());
-    const Remainder& r = finding.remainders.front();
-    EXPECT_NE(r.proposedEquation.find("sign(w)*abs(tau)"), std::string::npos) << r.proposedEquation;
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    const Remainder& r = finding.unexplained.remainders.front();
+    EXPECT_NE(r.proposal.equation.find("sign(w)*abs(tau)"), std::string::npos) << r.proposal.equation;
     // the block is a model of its own, for the user's library
-    EXPECT_NE(r.proposedBlock.find("model " + r.proposedClass), std::string::npos) << r.proposedBlock;
-    EXPECT_NE(r.proposedBlock.find("input Real x1"), std::string::npos) << r.proposedBlock;
+    EXPECT_NE(r.proposal.block.find("model " + r.proposal.className), std::string::npos) << r.proposal.block;
+    EXPECT_NE(r.proposal.block.find("input Real x1"), std::string::npos) << r.proposal.block;
 }
 
 TEST_F(Discovery, TellsAPeriodicTorqueFromTheShaftsOwn) {
     const Finding finding = search(
         {0.02, [](double t, double w, double) { return 0.03 * w + 0.02 * std::sin(2 * 3.14159265358979 * t / 2.3); }});
     EXPECT_TRUE(finding.effects.empty());
-    ASSERT_FALSE(finding.remainders.empty());
-    const std::string& equation = finding.remainders.front().proposedEquation;
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    const std::string& equation = finding.unexplained.remainders.front().proposal.equation;
     const std::size_t at = equation.find("P = ");
     ASSERT_NE(at, std::string::npos) << equation;
     EXPECT_NEAR(std::stod(equation.substr(at + 4)), 2.3, 0.02);
@@ -2011,9 +2022,9 @@ const Shaft sawtooth{0.02, [](double, double w, double phi) {
 TEST_F(Discovery, DoesNotTakeATorqueOfTheAngleForItsFirstWave) {
     const Finding finding = search(sawtooth, 0.1);
     EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
-    ASSERT_FALSE(finding.remainders.empty());
-    EXPECT_NE(finding.remainders.front().proposedEquation.find("sin(2*phi)"), std::string::npos)
-        << finding.remainders.front().proposedEquation;
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    EXPECT_NE(finding.unexplained.remainders.front().proposal.equation.find("sin(2*phi)"), std::string::npos)
+        << finding.unexplained.remainders.front().proposal.equation;
 }
 
 TEST_F(Discovery, GoesNoWayTwice) {
@@ -2035,9 +2046,10 @@ TEST_F(Discovery, ProposesATorqueForAWhileForWhatHappensOnce) {
     const Finding finding =
         search({0.02, [](double t, double w, double) { return 0.03 * w + (t > 11.3 && t < 13.1 ? 0.04 : 0.0); }});
     EXPECT_TRUE(finding.effects.empty());
-    ASSERT_FALSE(finding.remainders.empty());
-    const std::string& equation = finding.remainders.front().proposedEquation;
-    EXPECT_EQ(finding.remainders.front().proposedClass, "Analogon.Effects.Proposals.TorquePulse") << equation;
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    const std::string& equation = finding.unexplained.remainders.front().proposal.equation;
+    EXPECT_EQ(finding.unexplained.remainders.front().proposal.className, "Analogon.Effects.Proposals.TorquePulse")
+        << equation;
     EXPECT_NE(equation.find("t_s = 11.3"), std::string::npos) << equation;
     EXPECT_NE(equation.find("t_d = 1."), std::string::npos) << equation;
 }
@@ -2049,9 +2061,10 @@ TEST_F(Discovery, ProposesTheEndOfATravelThatTheModelRunsThrough) {
     };
     const Finding finding = search({0.02, stopped});
     EXPECT_TRUE(finding.effects.empty());
-    ASSERT_FALSE(finding.remainders.empty());
-    const std::string& equation = finding.remainders.front().proposedEquation;
-    EXPECT_EQ(finding.remainders.front().proposedClass, "Analogon.Effects.Proposals.UpperStop") << equation;
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    const std::string& equation = finding.unexplained.remainders.front().proposal.equation;
+    EXPECT_EQ(finding.unexplained.remainders.front().proposal.className, "Analogon.Effects.Proposals.UpperStop")
+        << equation;
     const auto at = equation.find("phi_s = ");
     ASSERT_NE(at, std::string::npos) << equation;
     EXPECT_NEAR(std::stod(equation.substr(at + 8)), 120, 1);
@@ -2063,26 +2076,28 @@ TEST_F(Discovery, SaysWithWhichUnusedChannelAParameterMoves) {
         search({0.02, [&](double t, double w, double) { return (0.05 - 4e-4 * (oil(t) - 40)) * w; }}, 0.05, oil);
     EXPECT_TRUE(finding.effects.empty());
     EXPECT_EQ(finding.kind, FindingKind::Unexplained);
-    ASSERT_FALSE(finding.remainders.empty());
-    const std::string& equation = finding.remainders.front().proposedEquation;
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    const std::string& equation = finding.unexplained.remainders.front().proposal.equation;
     EXPECT_NE(equation.find("load.b = "), std::string::npos) << equation;
     EXPECT_NE(equation.find(" - 0.00040"), std::string::npos) << equation;
-    EXPECT_EQ(finding.remainders.front().node, "load");
-    EXPECT_EQ(finding.remainders.size(), 1u) << "it accounts for all that is left";
-    EXPECT_GT(finding.remainders.front().errorFitWith, 0);
-    EXPECT_LT(finding.remainders.front().errorFitWith, 0.5 * errorPercentOf(finding.baseline, Role::Fit));
+    EXPECT_EQ(finding.unexplained.remainders.front().node, "load");
+    EXPECT_EQ(finding.unexplained.remainders.size(), 1u) << "it accounts for all that is left";
+    EXPECT_GT(finding.unexplained.remainders.front().proposal.errors.fit, 0);
+    EXPECT_LT(finding.unexplained.remainders.front().proposal.errors.fit,
+              0.5 * errorPercentOf(finding.baseline, Role::Fit));
 }
 
 TEST_F(Discovery, SaysWhenAParameterChangedInMidRun) {
     const Finding finding = search({0.02, [](double t, double w, double) { return (t < 16.0 ? 0.03 : 0.045) * w; }});
     EXPECT_TRUE(finding.effects.empty());
     EXPECT_EQ(finding.kind, FindingKind::Unexplained);
-    ASSERT_FALSE(finding.remainders.empty());
-    EXPECT_EQ(finding.remainders.front().node, "load");
-    EXPECT_NEAR(finding.remainders.front().from, 16.0, 0.2);
-    EXPECT_EQ(finding.remainders.size(), 1u) << "the change accounts for all that is left";
-    EXPECT_GT(finding.remainders.front().errorFitWith, 0);
-    EXPECT_LT(finding.remainders.front().errorFitWith, 0.5 * errorPercentOf(finding.baseline, Role::Fit));
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    EXPECT_EQ(finding.unexplained.remainders.front().node, "load");
+    EXPECT_NEAR(finding.unexplained.remainders.front().from, 16.0, 0.2);
+    EXPECT_EQ(finding.unexplained.remainders.size(), 1u) << "the change accounts for all that is left";
+    EXPECT_GT(finding.unexplained.remainders.front().proposal.errors.fit, 0);
+    EXPECT_LT(finding.unexplained.remainders.front().proposal.errors.fit,
+              0.5 * errorPercentOf(finding.baseline, Role::Fit));
     ASSERT_FALSE(finding.warnings.empty());
     EXPECT_NE(finding.warnings.front().find("load.b"), std::string::npos) << finding.warnings.front();
 }
@@ -2103,10 +2118,10 @@ TEST_F(Discovery, DoesNotTakeAChangeInMidRunForNoiseWithAMemory) {
         search({0.02, [](double t, double w, double) { return (t < 16.0 ? 0.03 : 0.0315) * w; }}, 0.8);
     EXPECT_TRUE(finding.effects.empty());
     EXPECT_EQ(finding.kind, FindingKind::Unexplained);
-    ASSERT_EQ(finding.remainders.size(), 1u);
-    EXPECT_EQ(finding.remainders.front().output, "w");
-    EXPECT_EQ(finding.remainders.front().node, "load");
-    EXPECT_NEAR(finding.remainders.front().from, 16.0, 0.5);
+    ASSERT_EQ(finding.unexplained.remainders.size(), 1u);
+    EXPECT_EQ(finding.unexplained.remainders.front().output, "w");
+    EXPECT_EQ(finding.unexplained.remainders.front().node, "load");
+    EXPECT_NEAR(finding.unexplained.remainders.front().from, 16.0, 0.5);
     ASSERT_EQ(finding.warnings.size(), 1u);
     EXPECT_NE(finding.warnings.front().find("load.b"), std::string::npos) << finding.warnings.front();
 }
@@ -2127,7 +2142,7 @@ TEST_F(Discovery, SaysThatATachometerIsOfTheWrongSign) {
     const Finding finding = search(shaft);
     EXPECT_EQ(finding.kind, FindingKind::Unexplained);
     EXPECT_TRUE(finding.effects.empty());
-    const std::string& said = finding.notSearched.english();
+    const std::string& said = finding.end.notSearched.english();
     EXPECT_NE(said.find("w ('w') seems to be recorded with the wrong sign"), std::string::npos) << said;
     EXPECT_NE(said.find("tau ('tau') seems to be recorded with the wrong sign"), std::string::npos) << said;
     EXPECT_NE(said.find("(the data do not tell which)"), std::string::npos) << said;
@@ -2200,7 +2215,7 @@ TEST_F(DiscoveryInAHousing, SaysThatTwoThermocouplesAreExchanged) {
     const Finding finding = searchHousing({true});
     EXPECT_EQ(finding.kind, FindingKind::Unexplained);
     EXPECT_TRUE(finding.effects.empty());
-    const std::string& said = finding.notSearched.english();
+    const std::string& said = finding.end.notSearched.english();
     EXPECT_EQ(said.find("T_core ('TC1') and T_shell ('TC2') seem to be exchanged: read so"), 0u) << said;
     EXPECT_NE(said.find("give each channel the other's column"), std::string::npos) << said;
 }
@@ -2208,7 +2223,7 @@ TEST_F(DiscoveryInAHousing, SaysThatTwoThermocouplesAreExchanged) {
 TEST_F(DiscoveryInAHousing, TakesALagOfOneThermocoupleForNoExchange) {
     const Finding finding = searchHousing({false, 8});
     EXPECT_EQ(finding.kind, FindingKind::Effect);
-    EXPECT_TRUE(finding.notSearched.empty()) << finding.notSearched;
+    EXPECT_TRUE(finding.end.notSearched.empty()) << finding.end.notSearched;
     ASSERT_EQ(finding.effects.size(), 1u);
     EXPECT_EQ(finding.effects[0].kind, "sensor.lag");
     EXPECT_NEAR(finding.effects[0].parameters.front().value, 8, 0.5);

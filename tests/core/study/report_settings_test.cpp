@@ -143,7 +143,7 @@ end Heater;
                  "extent={{-10,-10},{10,10}})));\n");
     AddedEffect effect;
     effect.kind = "thermal.mass";
-    effect.instance = "mass";
+    effect.wired.instance = "mass";
     effect.at = "element.port";
     result.finding.effects = {effect};
     EXPECT_FALSE(diagramsOf(result));  // a run that kept no texts
@@ -182,9 +182,9 @@ end Heater;
     EXPECT_EQ(large->after.blocks.size(), 12u);
     for (const Block& block : large->after.blocks) EXPECT_TRUE(block.isResolved) << block.className;
     // one that took the place of a block, and one within a component
-    result.finding.effects[0].instance = "element.inner.mass";
+    result.finding.effects[0].wired.instance = "element.inner.mass";
     EXPECT_EQ(diagramsOf(result)->marks.front().block, "element");
-    result.finding.effects[0].instance = "gone";
+    result.finding.effects[0].wired.instance = "gone";
     EXPECT_EQ(diagramsOf(result)->marks.front().block, "element");
 }
 

@@ -24,8 +24,8 @@ protected:
         other.completed.models["model.mo"] += "// other\n";
         other.finding.warnings = {"other"};
         Remainder law;
-        law.proposedBlock = "model MissingTorque1\nend MissingTorque1;\n";
-        other.finding.remainders = {law};
+        law.proposal.block = "model MissingTorque1\nend MissingTorque1;\n";
+        other.finding.unexplained.remainders = {law};
         other.proposed = other.completed;
         out = directory_ / "results" / "out";
         fs::create_directories(out.parent_path());

@@ -39,48 +39,42 @@ protected:
         finding.effects.push_back({"thermal.radiation",
                                    "Analogon.Effects.Thermal.Radiation",
                                    "element.solid",
-                                   Way::Specialise,
-                                   "element",
-                                   "flow",
-                                   "flow",
                                    "radiation",
+                                   {Way::Specialise, "element", "flow", "flow"},
                                    {{"k_r", 2.1e-11, 3e-13, "W/K4"}},
                                    {812, 0, -1540, 0.9, 8.6, 1.1},
                                    Confidence::Indicated,
                                    Prediction{2.5, 1.25, 10, 8, true},
-                                   {{"thermal.loss", "element.solid", -610, true}},
-                                   {"core.C = 302 J/K"}});
+                                   {{{"thermal.loss", "element.solid", -610, true}}, {"core.C = 302 J/K"}}});
         finding.candidates.push_back({"sensor.lag",
                                       "output i",
                                       "L",
-                                      3.2,
-                                      0.1,
+                                      {3.2, 0.1, {"R", "C"}},
                                       -2.5,
                                       Verdict::FailsHeldOut,
-                                      {"R", "C"},
                                       2,
                                       phrase("the range ends at {:.3g}", 0.1 + 0.2),
                                       phrase("explains less than {}", phrase("{} at {}", "thermal.loss", "x"))});
-        finding.remainders.push_back({"i",
-                                      "element.solid",
-                                      7,
-                                      0.5,
-                                      1.5,
-                                      "warm-up",
-                                      {{"T_air", -0.7}},
-                                      phrase("y = {}", "a*u"),
-                                      "C",
-                                      "block C end C;",
-                                      0.5,
-                                      0.6,
-                                      0.7});
-        finding.proposed = ProposedModel{finding.baseline, {{"flow", "flow"}}};
+        finding.unexplained.remainders.push_back({"i",
+                                                  "element.solid",
+                                                  7,
+                                                  0.5,
+                                                  1.5,
+                                                  "warm-up",
+                                                  {{"T_air", -0.7}},
+                                                  phrase("y = {}", "a*u"),
+                                                  "C",
+                                                  "block C end C;",
+                                                  0.5,
+                                                  0.6,
+                                                  0.7});
+        finding.unexplained.proposed = ProposedModel{finding.baseline, {{"flow", "flow"}}};
         result->proposed = result->completed;
         result->proposed->models["proposed.mo"] = "block C end C;";
         finding.nextExperiment = phrase("run {}", phrase("the {} again", "heater")) + " Then stop.";
         finding.warnings = {"plain words", phrase("{} \"quoted\"\n", 1)};
-        finding.interrupted = true;
-        finding.seconds = 1.0 / 3;
+        finding.end.interrupted = true;
+        finding.end.seconds = 1.0 / 3;
         result->completed.parameters["R"].value = 3.0000000000000004;
         return {"discover", "2026-03-02T09:00:00", 2.5, fit.ranOn, std::move(result)};
     }
@@ -121,7 +115,7 @@ TEST_F(RunHistory, ReadsBackToTheLastDigit) {
     const Finding& finding = runs[1].result->finding;
     EXPECT_TRUE(std::isnan(finding.final.parameters[0].standardError));
     EXPECT_EQ(finding.final.parameters[0].interval->upper, std::numeric_limits<double>::infinity());
-    EXPECT_EQ(finding.effects[0].way, Way::Specialise);
+    EXPECT_EQ(finding.effects[0].wired.way, Way::Specialise);
     EXPECT_EQ(finding.candidates[0].verdict, Verdict::FailsHeldOut);
     EXPECT_EQ(finding.candidates[0].failure.pattern(), "the range ends at {:.3g}") << "it can be said in German";
     EXPECT_EQ(finding.candidates[0].reason, "explains less than thermal.loss at x");
@@ -131,9 +125,9 @@ TEST_F(RunHistory, ReadsBackToTheLastDigit) {
               discovery.result->finding.final.experiments[0].outputs[0].simulated);
     EXPECT_EQ(runs[1].ranOn->models, fit.ranOn->models);
     EXPECT_FALSE(runs[0].result->proposed);
-    ASSERT_TRUE(runs[1].result->proposed && finding.proposed);
+    ASSERT_TRUE(runs[1].result->proposed && finding.unexplained.proposed);
     EXPECT_EQ(runs[1].result->proposed->models, discovery.result->proposed->models);
-    EXPECT_EQ(finding.proposed->newInputs, discovery.result->finding.proposed->newInputs);
+    EXPECT_EQ(finding.unexplained.proposed->newInputs, discovery.result->finding.unexplained.proposed->newInputs);
     EXPECT_EQ(runs[1].result->completed.parameters.at("R").value, 3.0000000000000004);
     EXPECT_EQ(runs[1].ranOn->tables.at("train.csv")->columns[1].values,
               fit.ranOn->tables.at("train.csv")->columns[1].values)

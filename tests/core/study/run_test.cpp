@@ -73,13 +73,13 @@ TEST_F(Run, AFewSamplesAreTooFewToJudgeAModelBy) {
     const Finding& finding = result->finding;
     EXPECT_GT(finding.final.experiments.at(0).errorPercent, 20);
     EXPECT_EQ(finding.kind, FindingKind::Unexplained);
-    EXPECT_THAT(finding.notSearched.english(), HasSubstr("too few samples to judge: 3 samples, 2 parameters"));
-    EXPECT_EQ(std::count(finding.warnings.begin(), finding.warnings.end(), finding.notSearched), 1);
+    EXPECT_THAT(finding.end.notSearched.english(), HasSubstr("too few samples to judge: 3 samples, 2 parameters"));
+    EXPECT_EQ(std::count(finding.warnings.begin(), finding.warnings.end(), finding.end.notSearched), 1);
     EXPECT_THAT(summaryWords(finding, "discover"), HasSubstr("No effect was looked for: too few samples to judge"));
     const Outcome<RunResult> fitted = runFit(read(), {}, {});
     ASSERT_TRUE(fitted) << format(fitted.diagnostics());
     const std::vector<Text>& remarks = fitted->finding.final.remarks;
-    EXPECT_EQ(std::count(remarks.begin(), remarks.end(), finding.notSearched), 1) << "a fit says the same";
+    EXPECT_EQ(std::count(remarks.begin(), remarks.end(), finding.end.notSearched), 1) << "a fit says the same";
 }
 
 TEST_F(Run, ATrendIsToldFromNoiseByFifteenSamplesBeyondTheParameters) {
@@ -90,7 +90,7 @@ TEST_F(Run, ATrendIsToldFromNoiseByFifteenSamplesBeyondTheParameters) {
         put("train.csv", fewSamples(count, 6, 2));
         const Outcome<RunResult> result = runDiscover(read(), {}, {});
         ASSERT_TRUE(result) << format(result.diagnostics());
-        EXPECT_EQ(result->finding.notSearched.empty(), count == 17);
+        EXPECT_EQ(result->finding.end.notSearched.empty(), count == 17);
     }
 }
 
@@ -98,7 +98,7 @@ TEST_F(Run, AFitTellsHowLongItTook) {
     const Outcome<RunResult> result = runFit(read(), {}, {});
     ASSERT_TRUE(result) << format(result.diagnostics());
     EXPECT_GT(result->finding.final.seconds, 0);
-    EXPECT_GE(result->finding.seconds, result->finding.final.seconds) << "with what comes before and after";
+    EXPECT_GE(result->finding.end.seconds, result->finding.final.seconds) << "with what comes before and after";
 }
 
 TEST_F(Run, ACancelledFitKeepsTheBestWithItsFigures) {
@@ -106,7 +106,7 @@ TEST_F(Run, ACancelledFitKeepsTheBestWithItsFigures) {
     const Progress progress(source.get_token(), [&](const Progress::Report&) { source.request_stop(); });
     const Outcome<RunResult> result = runFit(read(), {}, progress);
     ASSERT_TRUE(result) << format(result.diagnostics());
-    EXPECT_TRUE(result->finding.interrupted);
+    EXPECT_TRUE(result->finding.end.interrupted);
     EXPECT_TRUE(std::isfinite(result->finding.final.experiments.at(0).errorPercent));
 }
 
@@ -117,9 +117,9 @@ TEST_F(Run, LeavesLongTracesOutOnlyWhereItWasStoppedFromOutside) {
     finding.baseline.experiments[0].time.resize(200'000);
     finding.baseline.experiments[0].outputs.resize(1);
     EXPECT_FALSE(leavesTracesOut(finding));
-    finding.interrupted = true;
+    finding.end.interrupted = true;
     EXPECT_TRUE(leavesTracesOut(finding));
-    finding.isAtLimitOfWork = true;
+    finding.end.isAtLimitOfWork = true;
     EXPECT_FALSE(leavesTracesOut(finding));
     EXPECT_TRUE(leavesTracesOut(finding, Traces::Short));
 }
@@ -136,7 +136,7 @@ TEST_F(Run, ASearchThatIsStoppedClaimsNothingThatItHasNotLookedAt) {
         const Outcome<RunResult> result = runDiscover(read(), options, progress);
         ASSERT_TRUE(result) << format(result.diagnostics());
         const Finding& finding = result->finding;
-        EXPECT_TRUE(finding.interrupted);
+        EXPECT_TRUE(finding.end.interrupted);
         EXPECT_EQ(finding.kind, FindingKind::Interrupted) << name(finding.kind);
         EXPECT_TRUE(finding.effects.empty());
         EXPECT_TRUE(std::isfinite(finding.final.experiments.at(0).errorPercent));
@@ -159,7 +159,7 @@ TEST_F(Run, AFitThatIsStoppedGivesNoHalfAProfile) {
     });
     const Outcome<RunResult> result = runFit(read(), options, progress);
     ASSERT_TRUE(result) << format(result.diagnostics());
-    EXPECT_TRUE(result->finding.interrupted);
+    EXPECT_TRUE(result->finding.end.interrupted);
     EXPECT_EQ(result->finding.final.status, FitStatus::Converged) << "the fit itself was over";
     for (const FitEstimate& e : result->finding.final.parameters) EXPECT_FALSE(e.interval) << e.name;
 }
@@ -298,8 +298,8 @@ TEST_F(AtRest, ARecordingThatNeverMovesIsFittedAndSaysWhatItTells) {
     const Finding& finding = searched->finding;
     EXPECT_EQ(finding.kind, FindingKind::Unexplained);
     EXPECT_TRUE(finding.effects.empty() && finding.candidates.empty());
-    EXPECT_THAT(finding.notSearched.english(), HasSubstr("(w = 0, supply = 12 and zero = 0)"));
-    EXPECT_EQ(std::count(finding.warnings.begin(), finding.warnings.end(), finding.notSearched), 1);
+    EXPECT_THAT(finding.end.notSearched.english(), HasSubstr("(w = 0, supply = 12 and zero = 0)"));
+    EXPECT_EQ(std::count(finding.warnings.begin(), finding.warnings.end(), finding.end.notSearched), 1);
 }
 
 TEST_F(AtRest, AConstantErrorIsAnErrorWhateverIsLookedFor) {
@@ -309,8 +309,8 @@ TEST_F(AtRest, AConstantErrorIsAnErrorWhateverIsLookedFor) {
     const Outcome<RunResult> result = runDiscover(read(), options, {});
     ASSERT_TRUE(result) << format(result.diagnostics());
     EXPECT_EQ(result->finding.kind, FindingKind::Unexplained);
-    ASSERT_FALSE(result->finding.remainders.empty());
-    EXPECT_EQ(result->finding.remainders.front().output, "supply");
+    ASSERT_FALSE(result->finding.unexplained.remainders.empty());
+    EXPECT_EQ(result->finding.unexplained.remainders.front().output, "supply");
 }
 
 TEST_F(Run, AConstantOutputOfAnySizeIsNotAdequate) {
@@ -322,7 +322,7 @@ TEST_F(Run, AConstantOutputOfAnySizeIsNotAdequate) {
         const Outcome<RunResult> result = runDiscover(read(), {}, {});
         ASSERT_TRUE(result) << value << format(result.diagnostics());
         EXPECT_EQ(result->finding.kind, FindingKind::Unexplained) << value;
-        EXPECT_THAT(result->finding.notSearched.english(), HasSubstr("no measured output moves")) << value;
+        EXPECT_THAT(result->finding.end.notSearched.english(), HasSubstr("no measured output moves")) << value;
         if (std::fabs(std::atof(value)) < 1e-200) continue;  // a percentage of nothing
         EXPECT_TRUE(std::isfinite(result->finding.baseline.experiments.at(0).errorPercent)) << value;
     }
@@ -630,15 +630,15 @@ TEST_F(Run, WritesTheBlockOfALawBesideTheReport) {
     RunResult result;
     result.completed = read();
     Remainder law;
-    law.proposedClass = "MissingTorque1";
-    law.proposedBlock = "model MissingTorque1\nend MissingTorque1;\n";
-    result.finding.remainders = {law};
+    law.proposal.className = "MissingTorque1";
+    law.proposal.block = "model MissingTorque1\nend MissingTorque1;\n";
+    result.finding.unexplained.remainders = {law};
     result.proposed = read();
     ASSERT_TRUE(writeResults(result, "discover", directory_ / "out"));
-    EXPECT_EQ(get(directory_ / "out" / "proposed.mo"), law.proposedBlock);
+    EXPECT_EQ(get(directory_ / "out" / "proposed.mo"), law.proposal.block);
     EXPECT_TRUE(readStudy(directory_ / "out" / "study-proposed"));
     // what an earlier run proposed is not left beside a report that proposes nothing
-    result.finding.remainders.clear();
+    result.finding.unexplained.remainders.clear();
     result.proposed.reset();
     ASSERT_TRUE(writeResults(result, "discover", directory_ / "out"));
     EXPECT_FALSE(std::filesystem::exists(directory_ / "out" / "proposed.mo"));

@@ -74,9 +74,9 @@ TEST(CandidatesFor, HaveTheUnitOfTheSignalTheyAreAt) {
     const std::vector<Candidate> offset = candidates(heatedBody(), "sensor.offset"),
                                  drift = candidates(heatedBody(), "sensor.drift");
     ASSERT_EQ(offset.size(), 1u);
-    EXPECT_EQ(offset[0].effect.units.at(offset[0].effect.strength), "K");
+    EXPECT_EQ(offset[0].effect.parameters.units.at(offset[0].effect.parameters.strength), "K");
     ASSERT_EQ(drift.size(), 1u);
-    EXPECT_EQ(drift[0].effect.units.at(drift[0].effect.strength), "K/s");
+    EXPECT_EQ(drift[0].effect.parameters.units.at(drift[0].effect.parameters.strength), "K/s");
 }
 
 TEST(CandidatesFor, LeaveOutWhatStandsThereAlready) {

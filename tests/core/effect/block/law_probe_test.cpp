@@ -55,12 +55,12 @@ TEST(LawProbe, WritesAClassOfTheChosenTermsAlone) {
     const Law one = probe.law({0}, 3), both = probe.law({1, 0}, 4);
     EXPECT_EQ(one.candidate.effect.className, "MissingHeatFlow3");
     EXPECT_EQ(one.candidate.effect.proposal, "body.port.Q_flow = a1*(T - 300)");
-    EXPECT_EQ(one.candidate.effect.units.at("a1"), UnitFactors::of("W/K")->text());
+    EXPECT_EQ(one.candidate.effect.parameters.units.at("a1"), UnitFactors::of("W/K")->text());
     EXPECT_TRUE(one.candidate.effect.bound.empty());
     EXPECT_THAT(one.text, HasSubstr("p = port.T - (300);"));
     EXPECT_THAT(one.text, Not(HasSubstr("x1")));
     EXPECT_EQ(both.candidate.effect.proposal, "body.port.Q_flow = a1*P + a2*(T - 300)");
-    EXPECT_EQ(both.candidate.effect.linear, std::vector<std::string>{"a2"});
+    EXPECT_EQ(both.candidate.effect.parameters.linear, std::vector<std::string>{"a2"});
     EXPECT_EQ(both.candidate.effect.bound.at("x1"), "P");
     EXPECT_THAT(both.text, HasSubstr("port.Q_flow = a1*x1 + a2*p;"));
 }

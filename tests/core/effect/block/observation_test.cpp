@@ -62,14 +62,14 @@ TEST(ShapesOf, AreAllCombinationsThatAreValid) {
     const Observations none;
     const ShapeContext context = contextOf(null, none);
     EffectClass effect;
-    effect.strength = "k";
+    effect.parameters.strength = "k";
     EXPECT_EQ(*shapesOf(effect, context, 0), Shapes{{}}) << "of no shape there is one";
-    effect.shape = {{"a", {"1*sample", "k"}}, {"b", {"10", "20"}}};
+    effect.parameters.shape = {{"a", {"1*sample", "k"}}, {"b", {"10", "20"}}};
     EXPECT_EQ(*shapesOf(effect, context, 3),
               (Shapes{{{"a", 1}, {"b", 10}}, {{"a", 3}, {"b", 10}}, {{"a", 1}, {"b", 20}}, {{"a", 3}, {"b", 20}}}));
-    effect.valid = "a*b - 25";
+    effect.trial.valid = "a*b - 25";
     EXPECT_EQ(*shapesOf(effect, context, 3), (Shapes{{{"a", 3}, {"b", 10}}, {{"a", 3}, {"b", 20}}}));
-    effect.valid = "a - 100";
+    effect.trial.valid = "a - 100";
     const Outcome<Shapes> refused = shapesOf(effect, context, 3);
     ASSERT_FALSE(refused);
     EXPECT_THAT(format(refused.diagnostics()),
@@ -80,7 +80,7 @@ TEST(ShapesOf, AreAllCombinationsThatAreValid) {
 TEST(ObserveFor, TakesWhatTheShapesOfTheNewestEffectName) {
     const NullModel null = fittedModel(laggingBody(0));
     Candidate loss = firstCandidate(null.variant, "thermal.loss");
-    loss.effect.shape["T_amb"] = {"start(T)", "maximum(T)", "through(port)"};
+    loss.effect.parameters.shape["T_amb"] = {"start(T)", "maximum(T)", "through(port)"};
     const Outcome<Variant> off = withEffect(null.variant, loss.effect, loss.place, {});
     ASSERT_TRUE(off) << format(off.diagnostics());
     const Outcome<Observations> seen = observeFor(null, *off, {});

@@ -115,7 +115,7 @@ TEST(ScreenTogether, JoinsPlacesOfOneClassThatASlopeShows) {
         for (const std::size_t i : group) {
             ++seen[i];
             EXPECT_EQ(candidates[i].effect.className, candidates[group.front()].effect.className);
-            EXPECT_TRUE(group.size() == 1 || candidates[i].effect.states == 0);
+            EXPECT_TRUE(group.size() == 1 || candidates[i].effect.trial.states == 0);
         }
         joined += group.size() > 1 ? group.size() : 0;
     }
@@ -167,7 +167,7 @@ Compared compareWithEachAlone(const NullModel& null, double within) {
             EXPECT_TRUE(alone.isAbsorbed() || all[i].isWrongSign() == alone.isWrongSign());
             compareProbes(all[i], alone, within, compared);
             compared.fixed += !alone.fixed.empty();
-            compared.specialised += members[i].effect.way == Way::Specialise;
+            compared.specialised += members[i].effect.placement.way == Way::Specialise;
             ++compared.all;
         }
     }

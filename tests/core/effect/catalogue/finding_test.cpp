@@ -42,12 +42,12 @@ TEST(Correlate, IsWorthAWordOfEitherSign) {
 
 TEST(Remainder, WorsensWhatWasNotFittedByMoreThanChance) {
     Remainder r;
-    r.errorValidateWith = 5;
-    EXPECT_FALSE(r.worsensValidation()) << "nothing is known without it";
-    r.errorValidateWithout = 4;
-    EXPECT_TRUE(r.worsensValidation());
-    r.errorValidateWithout = 4.95;
-    EXPECT_FALSE(r.worsensValidation());
+    r.proposal.errors.validate = 5;
+    EXPECT_FALSE(r.proposal.worsensValidation()) << "nothing is known without it";
+    r.proposal.errorValidateWithout = 4;
+    EXPECT_TRUE(r.proposal.worsensValidation());
+    r.proposal.errorValidateWithout = 4.95;
+    EXPECT_FALSE(r.proposal.worsensValidation());
 }
 
 TEST(WithValues, TellsTheValuesThatTheEquationNamesAndNoOthers) {

@@ -13,7 +13,7 @@ Acceptance passed() {
     Acceptance a;
     a.evidence = 200;
     a.effective = 150;
-    a.leastEvidence = 30;
+    a.asked.evidence = 30;
     a.heldOut = 0.9;
     a.share = 2;
     a.isSignificant = a.holdsOut = a.isWorthwhile = true;

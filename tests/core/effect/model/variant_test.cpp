@@ -11,7 +11,9 @@ namespace {
 PlacedEffect lag(const std::vector<EffectClass>& catalogue, const std::string& kind, const std::string& channel) {
     for (const EffectClass& e : catalogue)
         if (e.kind == kind)
-            return {e, {e.signalSide + " " + channel, channel, "", ""}, "lag", "", {{"lag.T", "s", 1, 0.01, 100}}, {}};
+            return {
+                e, {e.placement.signalSide + " " + channel, channel, "", ""}, "lag", "", {{"lag.T", "s", 1, 0.01, 100}},
+                {}};
     ADD_FAILURE() << "no " << kind << " among the effects";
     return {};
 }

@@ -91,8 +91,8 @@ end MissingTorque1;
     EffectClass law;
     law.className = "MissingTorque1";
     law.kind = "proposal.law";
-    law.ports = {"port"};
-    law.strength = "a1";
+    law.placement.ports = {"port"};
+    law.parameters.strength = "a1";
     for (const std::string proposal : {"port.tau = a1*w^3", ""}) {
         law.proposal = proposal;
         Outcome<Variant> with = withEffect(variant, law, {"rotor.flange_b", "rotor.flange_b", {}}, {});

@@ -31,7 +31,7 @@ TEST(TellEnding, IsAnEffectWhereNoiseIsLeftBehindOne) {
     EXPECT_EQ(finding.kind, FindingKind::Effect);
     ASSERT_EQ(finding.effects.size(), 1u);
     EXPECT_EQ(finding.effects[0].kind, "sensor.lag");
-    EXPECT_TRUE(finding.remainders.empty());
+    EXPECT_TRUE(finding.unexplained.remainders.empty());
     EXPECT_TRUE(std::any_of(finding.candidates.begin(), finding.candidates.end(),
                             [](const CandidateResult& c) { return c.verdict == Verdict::Chosen; }));
 }
@@ -41,16 +41,16 @@ TEST(TellEnding, IsAdequateWhereTheModelLeavesNoise) {
     const Finding finding = told(of, {of.base, {}});
     EXPECT_EQ(finding.kind, FindingKind::Adequate);
     EXPECT_TRUE(finding.effects.empty());
-    EXPECT_TRUE(finding.remainders.empty());
+    EXPECT_TRUE(finding.unexplained.remainders.empty());
 }
 
 TEST(TellEnding, IsUnexplainedWhereStructureIsLeftAndSaysWhere) {
     WarmSearch of(laggingBody(3));
     const Finding finding = told(of, {of.base, {}});
     EXPECT_EQ(finding.kind, FindingKind::Unexplained);
-    ASSERT_FALSE(finding.remainders.empty());
-    EXPECT_EQ(finding.remainders[0].output, "T");
-    EXPECT_EQ(finding.remainders[0].experiment, "warm-up");
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    EXPECT_EQ(finding.unexplained.remainders[0].output, "T");
+    EXPECT_EQ(finding.unexplained.remainders[0].experiment, "warm-up");
 }
 
 TEST(TellEnding, OffersTheValueOfWhatIsHeldWronglyFirst) {
@@ -62,9 +62,9 @@ TEST(TellEnding, OffersTheValueOfWhatIsHeldWronglyFirst) {
     held.value = 6;
     held.explained = 500;
     const Finding finding = told(of, {of.base, {}}, {held});
-    ASSERT_FALSE(finding.remainders.empty());
-    EXPECT_NE(finding.remainders[0].proposedEquation.find("body.C"), std::string::npos)
-        << finding.remainders[0].proposedEquation;
+    ASSERT_FALSE(finding.unexplained.remainders.empty());
+    EXPECT_NE(finding.unexplained.remainders[0].proposal.equation.find("body.C"), std::string::npos)
+        << finding.unexplained.remainders[0].proposal.equation;
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ void reachTheLag(WarmSearch& of) {
     of.search.frontier.begun->kind = FindingKind::Interrupted;
     Node path{of.base, {}};
     goOn(of.search, path, of.decided());
-    ASSERT_TRUE(of.search.frontier.whole);
+    ASSERT_TRUE(of.search.frontier.best.whole);
 }
 
 TEST(FoundSoFar, IsTheBestNodeByNames) {
@@ -28,7 +28,7 @@ TEST(FoundSoFar, IsTheBestNodeByNames) {
     reachTheLag(of);
     const Outcome<Finding> finding = foundSoFar(of.search, of.base);
     ASSERT_TRUE(finding);
-    EXPECT_TRUE(finding->interrupted);
+    EXPECT_TRUE(finding->end.interrupted);
     EXPECT_EQ(finding->kind, FindingKind::Effect);
     ASSERT_EQ(finding->effects.size(), 1u);
     EXPECT_EQ(finding->effects.front().kind, "sensor.lag");
@@ -41,7 +41,7 @@ TEST(FoundSoFar, TellsWhatPredictsClearlyBetterAsAWhole) {
     addDraught(task, 0.03);
     WarmSearch of(task);
     reachTheLag(of);
-    Whole& whole = *of.search.frontier.whole;
+    Whole& whole = *of.search.frontier.best.whole;
     ASSERT_FALSE(isNoise(whole.node.null));
     EXPECT_TRUE(whole.predicts);
     for (Step& s : whole.node.steps) s.acceptance.heldOut = 0;
@@ -61,13 +61,13 @@ TEST(FoundSoFar, HasWhatARoundChoseBeforeItIsWeighed) {
     std::vector<std::string> unweighed;
     DiscoverOptions options;
     options.keep = [&](const Finding& finding) {
-        if (frontier->unweighed && !finding.effects.empty()) unweighed.push_back(finding.effects.front().kind);
+        if (frontier->best.unweighed && !finding.effects.empty()) unweighed.push_back(finding.effects.front().kind);
     };
     WarmSearch of(laggingBody(3), options);
     frontier = &of.search.frontier;
     reachTheLag(of);
     EXPECT_EQ(unweighed, (std::vector<std::string>{"sensor.lag"}));
-    EXPECT_FALSE(of.search.frontier.unweighed) << "it was weighed since";
+    EXPECT_FALSE(of.search.frontier.best.unweighed) << "it was weighed since";
 }
 
 /// What explains more, but is not clear, does not hide what was.
@@ -76,11 +76,11 @@ TEST(FoundSoFar, IsTheLastThatWasClear) {
     reachTheLag(of);
     Frontier& frontier = of.search.frontier;
     frontier.keepClear();
-    frontier.whole->predicts = false;
-    for (Step& s : frontier.whole->node.steps) s.acceptance.heldOut = 0;
-    frontier.whole->node.null = of.base;  // leaves more than noise
-    EXPECT_EQ(frontier.toTell(), &*frontier.clear);
-    frontier.clear.reset();
+    frontier.best.whole->predicts = false;
+    for (Step& s : frontier.best.whole->node.steps) s.acceptance.heldOut = 0;
+    frontier.best.whole->node.null = of.base;  // leaves more than noise
+    EXPECT_EQ(frontier.toTell(), &*frontier.best.clear);
+    frontier.best.clear.reset();
     EXPECT_EQ(frontier.toTell(), nullptr);
 }
 
@@ -94,7 +94,7 @@ TEST(FoundSoFar, IsToldWithTheRecordingsAsTheyWereReadThen) {
     ASSERT_TRUE(finding);
     EXPECT_LT(errorPercentOf(finding->final, Role::Fit), 5);
     EXPECT_EQ(finding->final.experiments.front().outputs.front().measured,
-              of.search.frontier.whole->node.state->experiments.front().outputs.front().measured);
+              of.search.frontier.best.whole->node.state->experiments.front().outputs.front().measured);
 }
 
 TEST(FoundSoFar, OfASearchThatReachedNothingIsTheModelAsGivenAndNoVerdict) {

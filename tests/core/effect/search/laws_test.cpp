@@ -22,9 +22,9 @@ TEST(Laws, AreSoughtOnceWhereNonePasses) {
     Node node{of.base, {}};
     EXPECT_FALSE(addLaw(of.search, node));
     EXPECT_TRUE(node.steps.empty());
-    EXPECT_EQ(of.search.frontier.lawless.size(), 1u);
+    EXPECT_EQ(of.search.frontier.stays.lawless.size(), 1u);
     EXPECT_FALSE(addLaw(of.search, node));
-    EXPECT_EQ(of.search.frontier.lawless.size(), 1u) << "the same effects at the same optimum";
+    EXPECT_EQ(of.search.frontier.stays.lawless.size(), 1u) << "the same effects at the same optimum";
 }
 
 }  // namespace

@@ -31,12 +31,12 @@ TEST(BesideMistake, SaysTheUnitThatTheNumbersLookLikeAndSearchesForNothing) {
     const Finding finding = besideMistake(of.search, begun, of.base, mistake);
     EXPECT_EQ(finding.kind, FindingKind::Unexplained);
     EXPECT_TRUE(finding.effects.empty());
-    EXPECT_THAT(finding.notSearched.english(), HasSubstr("look like degC and not like the K that is told"));
-    EXPECT_THAT(finding.notSearched.english(), HasSubstr("correct the header, or give the unit in the study"));
+    EXPECT_THAT(finding.end.notSearched.english(), HasSubstr("look like degC and not like the K that is told"));
+    EXPECT_THAT(finding.end.notSearched.english(), HasSubstr("correct the header, or give the unit in the study"));
     ASSERT_FALSE(finding.warnings.empty());
-    EXPECT_EQ(finding.warnings[0], finding.notSearched);
+    EXPECT_EQ(finding.warnings[0], finding.end.notSearched);
     mistake.asLikely = {"degF"};
-    EXPECT_THAT(besideMistake(of.search, begun, of.base, mistake).notSearched.english(), HasSubstr("(or degF"));
+    EXPECT_THAT(besideMistake(of.search, begun, of.base, mistake).end.notSearched.english(), HasSubstr("(or degF"));
 }
 
 TEST(BesideMistake, SaysWhichChannelsAreMeantOtherwiseAndWhereToCorrectThem) {
@@ -49,16 +49,17 @@ TEST(BesideMistake, SaysWhichChannelsAreMeantOtherwiseAndWhereToCorrectThem) {
     sign.read = std::move(*read);
     Finding begun;
     begun.baseline.experiments.resize(1);
-    const std::string said = besideMistake(of.search, begun, of.base, {sign}).notSearched.english();
+    const std::string said = besideMistake(of.search, begun, of.base, {sign}).end.notSearched.english();
     EXPECT_THAT(said, HasSubstr("P seems to be recorded with the wrong sign: read so, the model as it is leaves"));
     EXPECT_THAT(said, HasSubstr("give the column \"scale\": -1 in the study"));
     const MistakenWiring exchanged{{0}, {"P", "T"}, sign.read};
     const Finding either = besideMistake(of.search, begun, of.base, {exchanged, sign});
     EXPECT_EQ(either.kind, FindingKind::Unexplained);
     EXPECT_TRUE(either.effects.empty());
-    EXPECT_EQ(either.warnings.at(0), either.notSearched);
-    EXPECT_THAT(either.notSearched.english(), HasSubstr("P and T seem to be exchanged, or P seems to be recorded with "
-                                                        "the wrong sign (the data do not tell which)"));
+    EXPECT_EQ(either.warnings.at(0), either.end.notSearched);
+    EXPECT_THAT(either.end.notSearched.english(),
+                HasSubstr("P and T seem to be exchanged, or P seems to be recorded with "
+                          "the wrong sign (the data do not tell which)"));
 }
 
 }  // namespace

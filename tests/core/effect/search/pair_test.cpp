@@ -59,7 +59,7 @@ TEST(PairBeginnings, AreNoneThatWereTakenOrAreEquations) {
 TEST(ChosenTogether, AreNoneWhereNothingFailedByItsLittleEvidenceAlone) {
     WarmSearch of(laggingBody(3));
     Round round = of.decided();
-    ASSERT_TRUE(round.tooFaint.empty());
+    ASSERT_TRUE(round.refused.tooFaint.empty());
     EXPECT_FALSE(chosenTogether(of.search, {of.base, {}}, round));
 }
 
@@ -68,9 +68,9 @@ TEST(WithPairMembers, BeginsAnewWithoutAChoiceAndKnowsWhyTheRestIsWeaker) {
     const Round first = of.decided();
     const Round wider = withPairMembers(of.search, of.base, first);
     EXPECT_FALSE(wider.chosen);
-    EXPECT_TRUE(wider.refused.empty());
+    EXPECT_TRUE(wider.refused.why.empty());
     EXPECT_GE(wider.trials.size(), first.trials.size());
-    EXPECT_FALSE(wider.behind.empty());
+    EXPECT_FALSE(wider.refused.behind.empty());
 }
 
 /// A dead time of the heater and a lag of the sensor, taken for the lag of the one and the dead time of the other.

@@ -15,8 +15,8 @@ TEST(Path, EndsWithTheEffectThatLeavesNoise) {
     EXPECT_EQ(path.null.variant.effects.front().effect.kind, "sensor.lag");
     EXPECT_NEAR(path.null.fit.estimates.back().value, 3, 0.2);
     EXPECT_TRUE(isNoise(path.null));
-    ASSERT_TRUE(of.search.frontier.whole);
-    EXPECT_EQ(of.search.frontier.whole->node.steps.size(), 1u);
+    ASSERT_TRUE(of.search.frontier.best.whole);
+    EXPECT_EQ(of.search.frontier.best.whole->node.steps.size(), 1u);
     EXPECT_LT(of.search.frontier.bestError, 1);
     EXPECT_EQ(of.search.journal.path, 1);
 }

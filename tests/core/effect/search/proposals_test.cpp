@@ -26,10 +26,10 @@ TEST(TakeOutProposals, OffersTheEquationAndEndsWithoutIt) {
     EXPECT_TRUE(node.null.variant.effects.empty());
     ASSERT_EQ(end.proposed.size(), 1u);
     EXPECT_EQ(end.proposed[0].node, "output T");
-    EXPECT_EQ(end.proposed[0].proposedClass, "Analogon.Effects.Sensor.Lag");
-    EXPECT_NE(end.proposed[0].proposedEquation.find("with T = "), std::string::npos)
-        << end.proposed[0].proposedEquation;
-    EXPECT_LT(end.proposed[0].errorFitWith, 1);
+    EXPECT_EQ(end.proposed[0].proposal.className, "Analogon.Effects.Sensor.Lag");
+    EXPECT_NE(end.proposed[0].proposal.equation.find("with T = "), std::string::npos)
+        << end.proposed[0].proposal.equation;
+    EXPECT_LT(end.proposed[0].proposal.errors.fit, 1);
     ASSERT_TRUE(end.with);
     EXPECT_LT(end.with->sumOfSquares(), node.null.sumOfSquares());
     ASSERT_TRUE(end.model);

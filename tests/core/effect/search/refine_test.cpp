@@ -21,7 +21,7 @@ TEST(Refine, TakesASharperFormOnlyWhereTheDataAskForIt) {
     WarmSearch of(laggingBody(3));
     Node node = nodeThatChose(of, "sensor.lag");
     PlacedEffect& placed = node.null.variant.effects.front();
-    placed.effect.sharper["T"] = 0.25;
+    placed.effect.trial.sharper["T"] = 0.25;
     placed.values["T"] = 3;
     const double before = node.null.sumOfSquares();
     sharpen(of.search, node);

@@ -90,9 +90,9 @@ TEST(PassOver, SetsTheChoiceAsideAndSaysWhy) {
     round.passOver(Text("too little"));
     EXPECT_FALSE(round.chosen);
     EXPECT_TRUE(round.members.empty());
-    EXPECT_EQ(round.refused.at(2), "too little");
+    EXPECT_EQ(round.refused.why.at(2), "too little");
     round.passOver(Text("again"));
-    EXPECT_EQ(round.refused.size(), 1u);
+    EXPECT_EQ(round.refused.why.size(), 1u);
 }
 
 }  // namespace

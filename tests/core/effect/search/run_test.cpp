@@ -51,8 +51,8 @@ TEST(Run, ThatTakesLongerThanAllowedSaysWhatItHas) {
         options.trace = std::make_shared<DecisionTrace>();
         const Outcome<Finding> finding = analogon::Run(laggingBody(3), options, {}).run();
         ASSERT_TRUE(finding);
-        EXPECT_TRUE(finding->interrupted);
-        EXPECT_TRUE(finding->isAtLimitOfWork) << "nobody stopped it";
+        EXPECT_TRUE(finding->end.interrupted);
+        EXPECT_TRUE(finding->end.isAtLimitOfWork) << "nobody stopped it";
         ASSERT_FALSE(finding->warnings.empty());
         EXPECT_NE(finding->warnings.back().find("--patience"), std::string::npos);
         for (const Decision& d : options.trace->decisions())
@@ -64,8 +64,8 @@ TEST(Run, ThatTakesLongerThanAllowedSaysWhatItHas) {
     patient.patience = 1;
     const Outcome<Finding> whole = analogon::Run(laggingBody(3), patient, {}).run();
     ASSERT_TRUE(whole);
-    EXPECT_FALSE(whole->interrupted);
-    EXPECT_FALSE(whole->isAtLimitOfWork);
+    EXPECT_FALSE(whole->end.interrupted);
+    EXPECT_FALSE(whole->end.isAtLimitOfWork);
 }
 
 TEST(Run, ThatIsStoppedAtTheLimitOfItsWorkSaysSo) {
@@ -73,7 +73,7 @@ TEST(Run, ThatIsStoppedAtTheLimitOfItsWorkSaysSo) {
     options.mostWork = 1;
     const Outcome<Finding> finding = analogon::Run(laggingBody(3), options, {}).run();
     ASSERT_TRUE(finding);
-    EXPECT_TRUE(finding->interrupted);
+    EXPECT_TRUE(finding->end.interrupted);
     EXPECT_NE(finding->kind, FindingKind::Adequate);
     EXPECT_NE(finding->kind, FindingKind::Unexplained);
 }

@@ -40,7 +40,7 @@ TEST(CandidatesIn, AreBehindASourceInTheLastPassAlone) {
     of.search.catalogue.clear();
     const Outcome<std::vector<EffectClass>> all = effectCatalogue(of.base.variant.task.library);
     for (const EffectClass& e : *all)
-        if (e.behindSource) of.search.catalogue.push_back(e);
+        if (e.placement.behindSource) of.search.catalogue.push_back(e);
     ASSERT_FALSE(of.search.catalogue.empty());
     EXPECT_TRUE(candidateKinds(of).empty());
     of.search.frontier.isIndicating = true;
@@ -52,11 +52,11 @@ TEST(ScreenAll, RefusesTheEquationThatIsTheTwinOfANameOfTheWrongSign) {
     EffectClass named;
     for (EffectClass& e : of.search.catalogue)
         if (e.kind == "sensor.offset") named = e;
-    named.oneSided = true;
+    named.parameters.oneSided = true;
     EffectClass equation = named;
     equation.kind = "proposal.sensor.offset";
     equation.proposal = "y = u + b";
-    equation.oneSided = false;
+    equation.parameters.oneSided = false;
     of.search.catalogue = {equation};
     EXPECT_GT(screenAll(of.search, of.base).front().score(), 100) << "alone it is not";
     of.search.catalogue = {named, equation};

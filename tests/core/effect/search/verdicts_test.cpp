@@ -41,7 +41,7 @@ TEST(Verdicts, OfWhatWasChosenOnTheWayAndIsNotInTheEndAreSettled) {
     AddedEffect kept;
     kept.kind = "a";
     kept.at = "x";
-    kept.alternatives = {{"c", "x", 3, true}};
+    kept.instead.effects = {{"c", "x", 3, true}};
     finding.effects = {kept};
     std::vector<CandidateResult> candidates = {line("a", Verdict::Chosen), line("b", Verdict::Chosen),
                                                line("c", Verdict::Equivalent), line("d", Verdict::Equivalent)};

@@ -18,9 +18,9 @@ PlacedEffect lagOf(const std::string& output) {
     placed.effect.kind = "sensor.lag";
     placed.effect.className = "Analogon.Effects.Sensor.Lag";
     placed.effect.description = "Lag of a measured channel";
-    placed.effect.way = Way::Insert;
-    placed.effect.signalSide = "output";
-    placed.effect.units = {{"T", "s"}, {"w", "K"}};
+    placed.effect.placement.way = Way::Insert;
+    placed.effect.placement.signalSide = "output";
+    placed.effect.parameters.units = {{"T", "s"}, {"w", "K"}};
     placed.place.at = "output " + output;
     placed.instance = "lag";
     placed.freed.resize(1);
@@ -69,8 +69,8 @@ TEST(AddEffects, TellsWhereAndWhatWithTheValuesThatAreReported) {
     const AddedEffect& lag = finding.effects.front();
     EXPECT_EQ(lag.kind, "sensor.lag");
     EXPECT_EQ(lag.at, "output T");
-    EXPECT_EQ(lag.way, Way::Insert);
-    EXPECT_EQ(lag.instance, "lag");
+    EXPECT_EQ(lag.wired.way, Way::Insert);
+    EXPECT_EQ(lag.wired.instance, "lag");
     ASSERT_EQ(lag.parameters.size(), 2u);
     EXPECT_EQ(lag.parameters[0].name, "T");
     EXPECT_EQ(lag.parameters[0].value, 3.1);
@@ -94,10 +94,10 @@ TEST(AddEffects, TellsTheEvidenceByTheTestsThatItPassed) {
 
 TEST(AddEffects, TellsEachAlternativeOnceAndNoneThatStandsInTheModel) {
     const AddedEffect lag = told(lagged()).effects.front();
-    ASSERT_EQ(lag.alternatives.size(), 1u);
-    EXPECT_EQ(lag.alternatives[0].kind, "sensor.delay");
-    EXPECT_EQ(lag.alternatives[0].deltaBic, -18) << "on the scale of the chosen one";
-    EXPECT_TRUE(lag.alternatives[0].equivalent);
+    ASSERT_EQ(lag.instead.effects.size(), 1u);
+    EXPECT_EQ(lag.instead.effects[0].kind, "sensor.delay");
+    EXPECT_EQ(lag.instead.effects[0].deltaBic, -18) << "on the scale of the chosen one";
+    EXPECT_TRUE(lag.instead.effects[0].equivalent);
 }
 
 TEST(AddEffects, TellsWhatTheModelIsWithoutIt) {
@@ -123,9 +123,9 @@ TEST(AddEffects, TellsATwinAsAnEffectOfItsOwnAndSaysSo) {
     const Finding finding = told(node);
     ASSERT_EQ(finding.effects.size(), 2u);
     EXPECT_EQ(finding.effects[1].at, "output T2");
-    EXPECT_EQ(finding.effects[1].instance, "lag2");
+    EXPECT_EQ(finding.effects[1].wired.instance, "lag2");
     EXPECT_EQ(finding.effects[1].parameters[0].value, 3.1);
-    EXPECT_TRUE(finding.effects[1].alternatives.empty());
+    EXPECT_TRUE(finding.effects[1].instead.effects.empty());
     ASSERT_EQ(finding.warnings.size(), 1u);
     EXPECT_THAT(finding.warnings[0].english(), HasSubstr("sensor.lag stands at output T and output T2"));
 }
@@ -135,8 +135,8 @@ TEST(AddEffects, NamesTheValuesThatWouldExplainAsMuchByTheChoice) {
     held.parameter = "core.C";
     held.value = 302;
     held.unit = "J/K";
-    EXPECT_EQ(told(lagged(), {{4, {held}}}).effects.front().valuesInstead, std::vector<Text>{"core.C = 302 J/K"});
-    EXPECT_TRUE(told(lagged(), {{3, {held}}}).effects.front().valuesInstead.empty()) << "of another choice";
+    EXPECT_EQ(told(lagged(), {{4, {held}}}).effects.front().instead.values, std::vector<Text>{"core.C = 302 J/K"});
+    EXPECT_TRUE(told(lagged(), {{3, {held}}}).effects.front().instead.values.empty()) << "of another choice";
     Finding finding;
     EXPECT_EQ(addEffects(finding, lagged(), {{4, {held}}}, nullptr, -1).size(), 1u);
 }

@@ -19,7 +19,7 @@ Remainder left(const std::string& output, double evidence, double from, double t
 TEST(Offer, StandsFirstAndShowsWhereTheStrongestRemainderDoes) {
     Remainder proposed;
     proposed.node = "shaft.flange";
-    proposed.proposedEquation = "tau = c*w^3";
+    proposed.proposal.equation = "tau = c*w^3";
     std::vector<Remainder> all = {left("a", 20, 1, 2), left("b", 50, 3, 4)};
     offer({proposed}, {}, {}, all);
     ASSERT_EQ(all.size(), 3u);

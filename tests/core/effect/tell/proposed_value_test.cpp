@@ -14,7 +14,7 @@ TEST(ProposedValue, OfAChangeSaysWhenAndFromWhatToWhat) {
     change.explained = 300;
     const Remainder r = remainderOf(change, 40);
     EXPECT_EQ(r.node, "winding");
-    EXPECT_EQ(r.proposedEquation.english(), "winding.R = if time < 12.5 then 1.2 else 1.5");
+    EXPECT_EQ(r.proposal.equation.english(), "winding.R = if time < 12.5 then 1.2 else 1.5");
     EXPECT_EQ(r.from, 12.5);
     EXPECT_EQ(r.to, 40);
 }
@@ -27,7 +27,7 @@ TEST(ProposedValue, OfADependenceSaysOnWhichChannel) {
     d.slope = -0.4;
     d.range = 20;
     d.middle = 300;
-    EXPECT_EQ(remainderOf(d).proposedEquation.english(), "winding.R = 1.2 - 0.02*(T_case - 300)");
+    EXPECT_EQ(remainderOf(d).proposal.equation.english(), "winding.R = 1.2 - 0.02*(T_case - 300)");
 }
 
 TEST(ProposedValue, OfChecksIsTheConditionThatSuitsEachBest) {
