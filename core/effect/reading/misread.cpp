@@ -43,6 +43,14 @@ std::vector<std::vector<int>> whereMisread(const EstimationTask& task) {
 
 bool mayBeMisread(const NullModel& null) { return !isNoise(null) && excess(null) > leastEvidence; }
 
+bool explainsAll(const NullModel& null, const FitResult& read) {
+    const Acceptance gain = examine(null, read, 0, 0);
+    if (!gain.accepted() || !(gain.share > leastShare)) return false;
+    if (!isNoise(null.channels, read) && !(read.optimum.residuals.squaredNorm() < mostLeft * null.sumOfSquares()))
+        return false;
+    return std::max(gain.evidence, gain.effective) > leastEvidence;
+}
+
 double promisedLeft(const Reread& reread, const SimulationOptions& simulation, const Progress& progress) {
     constexpr double cannotBe = std::numeric_limits<double>::infinity();
     const Outcome<PreparedTask> prepared = prepareAt(reread.variant, reread.noise);
@@ -65,10 +73,7 @@ std::vector<FittedReading> readingsThatExplain(const NullModel& null, std::vecto
         const Reread start = reread(each.number);
         Outcome<NullModel> read = fitNull(start.variant, start.noise, NoiseLevel::Keep, options, progress);
         if (!read || progress.stopRequested()) continue;
-        const Acceptance gain = examine(null, read->fit, 0, 0);
-        if (!gain.accepted() || !(gain.share > leastShare)) continue;
-        if (!isNoise(*read) && !(read->sumOfSquares() < mostLeft * null.sumOfSquares())) continue;
-        if (!(std::max(gain.evidence, gain.effective) > leastEvidence)) continue;
+        if (!explainsAll(null, read->fit)) continue;
         found.push_back({each.number, std::move(*read)});
     }
     std::stable_sort(found.begin(), found.end(), [](const FittedReading& a, const FittedReading& b) {

@@ -32,6 +32,10 @@ std::vector<std::vector<int>> whereMisread(const EstimationTask& task);
 /// Whether so much is left that another reading may be all there is to it.
 bool mayBeMisread(const NullModel& null);
 
+/// Whether the recordings read in another way, as the model as it stands was then fitted, leave next to nothing of what
+/// is left without: so much that no effect need be looked for beside it.
+bool explainsAll(const NullModel& null, const FitResult& read);
+
 /// The model with its recordings read in one way.
 struct Reread {
     Variant variant;                     // at the start values of the study

@@ -14,15 +14,19 @@ FitOptions beginningAnywhere(FitOptions options) {
     return options;
 }
 
+FitOptions beginningNear(FitOptions options) {
+    options.starts = 1 + otherStarts;
+    options.startsWithin = startsWithin;
+    return options;
+}
+
 double toleranceBeside(const NullModel& base, double asked) {
     return std::clamp(integrationShare * quietest(base), asked, coarsestTolerance);
 }
 
 bool beginElsewhere(SearchContext& search, NullModel& null) {
     if (isNoise(null) || null.fit.estimates.empty() || isDirect(search.options.fit.method)) return false;
-    FitOptions around = search.options.fit;
-    around.starts = 1 + otherStarts;
-    around.startsWithin = startsWithin;
+    FitOptions around = beginningNear(search.options.fit);
     around.simulation = limited(null, around.simulation);
     const std::optional<FitResult> other = fitBeside(null, search.readings.searched, around, search.progress);
     if (!other || search.progress.stopRequested()) return false;

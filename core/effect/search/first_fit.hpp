@@ -13,6 +13,9 @@ using threshold::firstFit::otherStarts;
 /// Where the model cannot be simulated at its start values, it is fitted from others within the bounds.
 FitOptions beginningAnywhere(FitOptions options);
 
+/// To see whether its fit ends at the best optimum, it is fitted again from a few start values near the given ones.
+FitOptions beginningNear(FitOptions options);
+
 /// Relative tolerance with which a search integrates: as exactly as the noise of the quietest channel asks for, no more
 /// than `asked`.
 double toleranceBeside(const NullModel& base, double asked);

@@ -73,5 +73,13 @@ TEST(TrialStarts, TakeBackAllThatTheTracePromisesTooMuch) {
     }
 }
 
+TEST(TrialOptions, EndATrialWhereAMillionthOfTheMisfitIsLeftToGain) {
+    FitOptions given;
+    given.costTolerance = 1e-12;
+    const FitOptions options = trialOptions(given, 5);
+    EXPECT_EQ(options.maxIterations, 5);
+    EXPECT_EQ(options.costTolerance, 1e-6);
+}
+
 }  // namespace
 }  // namespace analogon

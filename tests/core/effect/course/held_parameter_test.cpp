@@ -25,8 +25,8 @@ TEST(HeldInstead, IsTheValueOfWhatIsHeldWrongly) {
     EXPECT_TRUE(values[0].leavesNoise);
     EXPECT_FALSE(values[0].byBound);
     EXPECT_GT(values[0].gain, 1000);
-    EXPECT_LT(values[0].errorFitWith, 1);
-    EXPECT_EQ(values[0].errorValidateWith, -1) << "nothing validates";
+    EXPECT_LT(values[0].errors.fit, 1);
+    EXPECT_EQ(values[0].errors.validate, -1) << "nothing validates";
 }
 
 TEST(HeldInstead, IsNoneWhereTheModelLeavesNoise) {
@@ -59,6 +59,27 @@ TEST(HeldInstead, IsToldAsAnEquation) {
     held.unit = "J/K";
     held.value = 302.0004;
     EXPECT_EQ(held.text(), "core.C = 302 J/K");
+}
+
+/// What a body held at so many J/K is told beside an account that leaves noise, and so much more of chi-square.
+std::vector<HeldInstead> toldBeside(double capacity, double more) {
+    const NullModel held = fitted(bodyHeldAt(capacity, {joint}));
+    NullModel with = fitted(bodyHeldAt(4, {joint, {"body.C", "J/K", 4, 1, 20}}));
+    Eigen::VectorXd& residuals = with.fit.optimum.residuals;
+    residuals *= std::sqrt(1 + more / static_cast<double>(residuals.size()));
+    std::vector<HeldInstead> told = heldInstead(held, with, {}, {});
+    std::erase_if(told, [](const HeldInstead& h) { return h.parameter != "body.C"; });
+    return told;
+}
+
+TEST(HeldInstead, IsPlausibleWithinAFactorOfThree) {
+    EXPECT_EQ(toldBeside(10, 0).size(), 1u) << "two fifths of what is held";
+    EXPECT_TRUE(toldBeside(14, 0).empty()) << "less than a third";
+}
+
+TEST(HeldInstead, MayBeFarOffWhereItIsClearlyTheBetterAccount) {
+    EXPECT_TRUE(toldBeside(14, 15).empty());
+    EXPECT_EQ(toldBeside(14, 60).size(), 1u);
 }
 
 }  // namespace

@@ -43,6 +43,13 @@ TEST(Caution, SaysThatTheFittedRecordingsHoldStillWhatMovesLater) {
     EstimationTask task;
     task.recordings = {recording("cold", Role::Fit, 20, 20.1), recording("warm", Role::Validate, 26, 26.5)};
     EXPECT_THAT(extrapolations(task), ElementsAre(HasSubstr("hold input v near 20.05, 'warm' has it between 26 and")));
+    const auto said = [](double to) {
+        EstimationTask moved;
+        moved.recordings = {recording("cold", Role::Fit, 20, 22), recording("warm", Role::Validate, 21, to)};
+        return extrapolations(moved);
+    };
+    EXPECT_THAT(said(25), ElementsAre(HasSubstr("by 150 %"))) << "it did not stand still";
+    EXPECT_THAT(said(27), ElementsAre(HasSubstr("hold input v near 21")));
 }
 
 TEST(Caution, SaysThatARecordingBeginsElsewhereThanTheModel) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 namespace analogon {
@@ -11,7 +12,7 @@ namespace {
 PlacedEffect cogging() {
     PlacedEffect placed;
     placed.instance = "cogging";
-    placed.effect.reach["n"] = 1.3;
+    placed.effect.trial.reach["n"] = 1.3;
     FitParameter strength, periods, phase;
     strength.name = "cogging.tau_n";
     periods.name = "cogging.n";
@@ -50,7 +51,7 @@ TEST(IsAtBound, IsAnEffectThatEndsWhereItIsNoLongerWhatItIsCalled) {
 
 TEST(HasShapeAtBound, IsAnEffectThatDoesNotGoFarEnough) {
     PlacedEffect placed = cogging();
-    placed.effect.phase = "phi_0";
+    placed.effect.wave.phase = "phi_0";
     EXPECT_FALSE(hasShapeAtBound(placed, ended(9, false)));
     EXPECT_TRUE(hasShapeAtBound(placed, ended(15, true)));
     EXPECT_FALSE(hasShapeAtBound(placed, ended(9, false, true))) << "its strength is no shape";
@@ -60,8 +61,8 @@ TEST(HasShapeAtBound, IsAnEffectThatDoesNotGoFarEnough) {
 TEST(LacksAPart, IsABreakawayWithoutFrictionAtSpeed) {
     PlacedEffect placed;
     placed.instance = "stribeck";
-    placed.effect.strength = "tau_s";
-    placed.effect.part["tau_c"] = 0.05;
+    placed.effect.parameters.strength = "tau_s";
+    placed.effect.trial.part["tau_c"] = 0.05;
     FitResult fit;
     for (const char* name : {"stribeck.tau_s", "stribeck.tau_c"}) {
         FitEstimate estimate;
@@ -147,6 +148,43 @@ TEST(BeatsNames, DoesNoEquationThatMayOnlyMendTheFormOfAName) {
     EXPECT_TRUE(beats(100'000, 100'200));
     EXPECT_TRUE(beats(1000, 1040)) << "of so little the form of a name leaves nothing";
     EXPECT_FALSE(beats(1000, 1005)) << "the data do not tell them apart";
+}
+
+TEST(BeatsNames, DoesNoEquationWhereNamesExplainNearlyAsMuch) {
+    NullModel null;
+    ResidualChannel channel;
+    channel.end = 1000;
+    null.channels = {channel};
+    null.fit.optimum.residuals = Eigen::VectorXd::Constant(1000, 20);  // 400 000
+    const auto beats = [&](double namedLeaves) {
+        Trial equation = leavingNoise(5000, "a*w^3"), named = leavingNoise(1000, "");
+        equation.fit.optimum.residuals.setConstant(2);  // 4 000: structure
+        named.fit.optimum.residuals.setConstant(std::sqrt(namedLeaves / 1000));
+        return beatsNames(null, {equation, named}, 0, 1);
+    };
+    EXPECT_TRUE(beats(200'000)) << "half of what the equation explains";
+    EXPECT_FALSE(beats(100'000)) << "three quarters of it: a name may be near, structure is left";
+}
+
+TEST(IsLikelier, AsksLessOfWhatLeavesNoiseThanOfWhatLeavesStructure) {
+    const BesideDisturbance without{1000, 0.5};  // 500 of 1000 samples are independent
+    const auto evidence = [](double e) { return BesideDisturbance{1000 - (e + std::log(500.0)) / 0.5, 0.5}; };
+    EXPECT_TRUE(isLikelier(without, evidence(12), 1000, 1));
+    EXPECT_FALSE(isLikelier(without, evidence(5), 1000, 1));
+    EXPECT_FALSE(isBorneOut(without, evidence(20), 1000, 1));
+    EXPECT_TRUE(isBorneOut(without, evidence(50), 1000, 1));
+}
+
+TEST(FightsAnother, IsWhatMakesAnEffectGrowFivefold) {
+    NullModel null;
+    null.variant.effects = {cogging()};
+    null.fit = ended(9, false);
+    FitResult with = ended(9, false);
+    null.fit.estimates.front().value = 0.1;
+    with.estimates.front().value = -0.8;
+    EXPECT_TRUE(fightsAnother(null, with));
+    with.estimates.front().value = 0.3;
+    EXPECT_FALSE(fightsAnother(null, with));
 }
 
 }  // namespace

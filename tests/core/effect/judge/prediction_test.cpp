@@ -198,5 +198,35 @@ TEST_F(Refits, DoNotDependOnRecordingsThatOnlyValidate) {
     EXPECT_NEAR(second.errorPercentAfter, alone.errorPercentAfter, 1e-6 * alone.errorPercentAfter);
 }
 
+TEST(IsClearlyBetter, IsWhatTakesAFifthOffTheErrorOfMostRecordings) {
+    const auto isClear = [](double after, int clearlyIn, int blocks) {
+        Prediction p;
+        p.errorPercentBefore = 10;
+        p.errorPercentAfter = after;
+        p.areRecordings = true;
+        p.blocks = blocks;
+        p.betterIn = p.clearlyIn = clearlyIn;
+        return isClearlyBetter(p);
+    };
+    EXPECT_TRUE(isClear(7, 5, 5));
+    EXPECT_FALSE(isClear(8.5, 5, 5)) << "less than a fifth";
+    EXPECT_FALSE(isClear(7, 2, 5)) << "of less than three fifths of them";
+    EXPECT_TRUE(isClear(7, 4, 5));
+}
+
+TEST(IsClearlyBetter, TakesAThirdOffWhereOneRecordingIsAllThereIs) {
+    const auto isClear = [](double after, int betterIn) {
+        Prediction p;
+        p.errorPercentBefore = 10;
+        p.errorPercentAfter = after;
+        p.blocks = 5;
+        p.betterIn = p.clearlyIn = betterIn;
+        return isClearlyBetter(p);
+    };
+    EXPECT_TRUE(isClear(5, 5));
+    EXPECT_FALSE(isClear(7, 5)) << "what is peculiar to a recording agrees with itself";
+    EXPECT_FALSE(isClear(5, 4)) << "a slow course joins the parts";
+}
+
 }  // namespace
 }  // namespace analogon

@@ -52,6 +52,46 @@ TEST(InputEdges, AreBendsWhereARampIsSampledTooSlowly) {
     }
 }
 
+TEST(InputEdges, AreNoneWhereTheChangeIsSmallAgainstTheRange) {
+    const auto countWithStep = [](double step) {
+        Eigen::VectorXd u = Eigen::VectorXd::LinSpaced(40, 0, 0.9);
+        u.tail(20).array() += 9;
+        u.tail(5).array() += step * 10;
+        return inputEdges(taskOf(u)).size();
+    };
+    EXPECT_EQ(countWithStep(0.06), 2u) << "of the range";
+    EXPECT_EQ(countWithStep(0.02), 1u) << "less than a thirtieth of it is none";
+}
+
+TEST(InputEdges, StandWhereTheIntervalsBesideThemHardlyMove) {
+    const auto isJump = [](double slope) {
+        Eigen::VectorXd u = slope * Eigen::VectorXd::LinSpaced(40, 0, 39);
+        u.tail(20).array() += 1;
+        const std::vector<InputEdge> edges = inputEdges(taskOf(u));
+        return !edges.empty() && edges.front().bend == 0;
+    };
+    EXPECT_TRUE(isJump(0.06));
+    EXPECT_FALSE(isJump(0.15)) << "that may be a ramp between two samples";
+}
+
+TEST(InputEdges, OfALongRecordAreFewOfAShortOneMany) {
+    const auto countOf = [](int samples) {
+        Eigen::VectorXd u(samples);
+        for (int k = 0; k < samples; ++k) u[k] = k / 10 % 2;
+        return inputEdges(taskOf(u)).size();
+    };
+    EXPECT_EQ(countOf(1'000), 60u);
+    EXPECT_EQ(countOf(200'000), 8u) << "each costs as much as the record is long";
+}
+
+TEST(InputEdges, AreHeldWhereAllJumpNearTheNextSample) {
+    EXPECT_TRUE(areHeld({{0, "u", 9, 0.85}, {0, "u", 19, 0.95}}));
+    EXPECT_FALSE(areHeld({{0, "u", 9, 0.7}, {0, "u", 19, 0.95}}));
+    InputEdge bend{0, "u", 9, 0.95};
+    bend.bend = 1;
+    EXPECT_FALSE(areHeld({bend}));
+}
+
 TEST(InputEdges, AreDrawnByMoreSamplesWithoutMeasurements) {
     EstimationTask task = taskOf(stairs());
     const Recording before = task.recordings[0];

@@ -31,6 +31,14 @@ TEST(ErrorPercent, IsTheRootMeanSquareOfTheOutputsButForThoseThatAreZeroThrougho
     EXPECT_NEAR(errorPercentOf({output("a", 3, 1), output("b", 4, 0)}), 3, 1e-9);
 }
 
+TEST(IsColoured, IsWhatChanceBringsLessThanOnceInAThousandTimes) {
+    ResidualSummary residual;
+    residual.whiteProbability = 5e-4;
+    EXPECT_TRUE(isColoured(residual));
+    residual.whiteProbability = 2e-3;
+    EXPECT_FALSE(isColoured(residual));
+}
+
 TEST(ErrorPercent, OfARoleIsThatOfItsExperimentsAlone) {
     ModelState state;
     EXPECT_EQ(errorPercentOf(state, Role::Fit), 0);
@@ -117,7 +125,7 @@ end M;
     ASSERT_TRUE(flat) << format(flat.diagnostics());
     PlacedEffect placed;
     placed.instance = "lag";
-    placed.effect.units["T"] = "s";
+    placed.effect.parameters.units["T"] = "s";
     std::vector<EffectValue> values;
     addOtherParameters(*flat, placed, values);
     ASSERT_EQ(values.size(), 1u) << "of no other component";
@@ -146,7 +154,7 @@ end M;
     ASSERT_TRUE(flat) << format(flat.diagnostics());
     PlacedEffect placed;
     placed.instance = "element";
-    for (const char* name : {"tau_s", "C_s", "G_s", "R_s"}) placed.effect.units[name] = "1";
+    for (const char* name : {"tau_s", "C_s", "G_s", "R_s"}) placed.effect.parameters.units[name] = "1";
     std::vector<EffectValue> values;
     addOtherParameters(*flat, placed, values);
     ASSERT_EQ(values.size(), 1u) << "a heat capacity of 0 says that it is small";

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/core/effect/hand_made.hpp"
 #include "tests/core/effect/heated_runs.hpp"
 
 namespace analogon {
@@ -61,6 +62,47 @@ TEST(NullModel, WithAnotherFitKnowsNothingOfTheFirst) {
     const NullModel other = null.with(null.variant, moved);
     EXPECT_LT((other.scores().whiteResidual - 2 * scores.whiteResidual).norm(), 1e-9 * scores.whiteResidual.norm());
     EXPECT_EQ(other.noise, null.noise);
+}
+
+NullModel measuredInSteps(const Eigen::VectorXd& residuals, double step, int levels) {
+    NullModel null = modelThatLeaves(residuals, Eigen::MatrixXd::Zero(residuals.size(), 0));
+    Eigen::VectorXd& measured = null.channels.front().measured;
+    for (Eigen::Index k = 0; k < measured.size(); ++k) measured[k] = step * static_cast<double>(k % (levels + 1));
+    return null;
+}
+
+TEST(IsNoise, IsOnlyWhatChanceWouldLeaveOnceInTenThousandChannels) {
+    const Eigen::VectorXd white = whiteNoise(400);
+    const auto withWave = [&](double amplitude) {
+        return modelThatLeaves(white + amplitude * sineWave(400, 5), Eigen::MatrixXd::Zero(400, 0));
+    };
+    EXPECT_TRUE(isNoise(withWave(0)));
+    EXPECT_FALSE(isNoise(withWave(1)));
+    double p = 1, amplitude = 0;  // a wave that chance hardly brings
+    for (; p > 7e-5; amplitude += 0.005) p = summarise(withWave(amplitude).fit.optimum.residuals).whiteProbability;
+    ASSERT_GT(p, 4e-5) << "between a third of the limit and the limit";
+    EXPECT_FALSE(isNoise(withWave(amplitude - 0.005)));
+    for (p = 1, amplitude = 0; p > 2.5e-4; amplitude += 0.005)
+        p = summarise(withWave(amplitude).fit.optimum.residuals).whiteProbability;
+    ASSERT_GT(p, 1.3e-4) << "between the limit and three times the limit";
+    EXPECT_TRUE(isNoise(withWave(amplitude - 0.005)));
+}
+
+TEST(IsNoise, IsWhatAConverterRoundsOffWhereTheSignalPassesManySteps) {
+    constexpr double step = 3;
+    const Eigen::VectorXd slow = 0.25 * step * sineWave(400, 4);
+    EXPECT_TRUE(isNoise(measuredInSteps(slow, step, 12)));
+    EXPECT_FALSE(isNoise(measuredInSteps(slow, step, 4))) << "a few steps may be a signal of a few values";
+}
+
+TEST(IndependentShare, IsSmallBesideMuchThatNothingExplains) {
+    const Eigen::VectorXd white = whiteNoise(4000);
+    const auto shareBeside = [&](double factor) {
+        const NullModel null = modelThatLeaves(factor * white, Eigen::MatrixXd::Zero(4000, 0));
+        return independentShare(null, null.fit);
+    };
+    EXPECT_GT(shareBeside(1), 0.9);
+    EXPECT_NEAR(shareBeside(2), 10 / (0.03 * 4000), 1e-9) << "3 % of it would not count as different";
 }
 
 }  // namespace

@@ -248,5 +248,18 @@ TEST(NoiseThreshold, CountsWhatAlikeCandidatesDoNotShare) {
     EXPECT_NEAR(noiseThreshold(alike, 0, 0.99, 1), largest[static_cast<std::size_t>(0.99 * draws)], 0.8);
 }
 
+TEST(ExplainedTogether, TakesDirectionsOfNearlyOneForOne) {
+    const auto explained = [](double correlation) {
+        ColumnScore a, b;
+        a.directions = Eigen::MatrixXd{{1}, {0}};
+        b.directions = Eigen::MatrixXd{{correlation}, {std::sqrt(1 - correlation * correlation)}};
+        a.along = Eigen::VectorXd{{1}};
+        b.along = Eigen::VectorXd{{-1}};
+        return explainedTogether(a, b);
+    };
+    EXPECT_GT(explained(1 - 2e-4), 5000) << "2/(1 - correlation)";
+    EXPECT_LT(explained(1 - 5e-5), 1) << "what tells them apart is not in the data";
+}
+
 }  // namespace
 }  // namespace analogon

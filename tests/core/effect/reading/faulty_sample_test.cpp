@@ -88,6 +88,62 @@ TEST(FaultySamples, AreReadingsThatStuck) {
     EXPECT_TRUE(faultsIn(resting).empty()) << "it goes on from where it was";
 }
 
+TEST(FaultySamples, AreNoneWhereTheMeasurementGoesOnFromAnotherLevel) {
+    const auto faultsBesideStep = [](double step) {
+        Recording r = heated();
+        r.outputs(0, 128) += 1;
+        for (int k = 129; k < samples; ++k) r.outputs(0, k) += step;
+        return faultsIn(r).size();
+    };
+    EXPECT_EQ(faultsBesideStep(0.12), 1u);
+    EXPECT_EQ(faultsBesideStep(0.5), 0u) << "half as far away as it was";
+}
+
+TEST(FaultySamples, OfAnInputThatMovesAlwaysAreThoseFarFromItsJumps) {
+    const auto isFault = [](double jump) {
+        Recording r = heated();
+        for (int k = 0; k < samples; ++k) r.inputs(0, k) += 0.01 * (k % 2) + (k > 128 ? jump : 0);
+        double temperature = 300;
+        for (int k = 0; k + 1 < samples; ++k) {
+            const double mean = 0.5 * (r.inputs(0, k) + r.inputs(0, k + 1)), end = 300 + mean / 0.2;
+            r.outputs(0, k) = temperature + 0.02 * std::sin(7.0 * k);
+            temperature = end + (temperature - end) * std::exp(-0.05);
+        }
+        r.outputs(0, samples - 1) = temperature;
+        r.outputs(0, 130) += 1;
+        return !faultsIn(r).empty();
+    };
+    EXPECT_TRUE(isFault(0)) << "its usual changes are no jumps";
+    EXPECT_TRUE(isFault(0.02)) << "nor is what is hardly more than they";
+    EXPECT_FALSE(isFault(0.09));
+}
+
+TEST(FaultySamples, AreFewAgainstAllThatWasMeasured) {
+    const auto faultsOf = [](int count) {
+        Recording r = heated();
+        const std::vector<int> at{20, 30, 128, 140, 230, 240, 82, 180, 190};
+        for (int i = 0; i < count; ++i) r.outputs(0, at[static_cast<std::size_t>(i)]) += 0.8;
+        return faultsIn(r).size();
+    };
+    EXPECT_EQ(faultsOf(6), 6u) << "however short the record";
+    EXPECT_EQ(faultsOf(9), 0u);
+}
+
+TEST(RunsAlike, AreToldOfChannelsThatMoveElsewhere) {
+    const auto runsOf = [](int count, int pairs) {
+        Eigen::VectorXd values(count);
+        for (int k = 0; k < count; ++k) values[k] = 1 + k;
+        values.segment(10, 15).setConstant(11);
+        for (int i = 0; i < pairs; ++i) values[31 + 3 * i] = values[30 + 3 * i];
+        return runsAlike(values).size();
+    };
+    EXPECT_EQ(runsOf(400, 0), 1u);
+    EXPECT_EQ(runsOf(400, 3), 1u);
+    EXPECT_EQ(runsOf(400, 8), 0u) << "neighbours are often alike: a coarse or a slow reading";
+    EXPECT_EQ(runsOf(40, 0), 0u) << "too few to judge a channel by";
+    EXPECT_EQ(runsOf(60, 0), 1u);
+}
+
 /// What is said of a second recording that is not fitted, and the errors [%] of that: reported, and without its faults.
 struct Unfitted {
     std::vector<FaultySamples> faults;

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/base/work.hpp"
 #include "core/effect/model/place.hpp"
 #include "core/effect/model/variant.hpp"
 #include "core/effect/search/discover.hpp"
@@ -34,13 +35,15 @@ TEST(SourcePlaces, AreWhereABlockTurnsSomethingElseIntoHeat) {
 }
 
 TEST(DiscoveryOnABoard, NamesTheExchangeOfHeatBetweenTwoBodies) {
+    const WorkCount work;
     const Outcome<Finding> finding = discover(heatedBoard(0.08, 0));
+    EXPECT_NEAR(work.done(), 3.46e6, 0.35e6) << "steps";
     ASSERT_TRUE(finding) << format(finding.diagnostics());
     ASSERT_EQ(finding->effects.size(), 1u);
     const AddedEffect& bridge = finding->effects.front();
     EXPECT_EQ(bridge.kind, "thermal.bridge");
     EXPECT_EQ(bridge.at, "heater1.port <-> heater2.port");
-    EXPECT_EQ(bridge.way, Way::Bridge);
+    EXPECT_EQ(bridge.wired.way, Way::Bridge);
     EXPECT_EQ(bridge.confidence, Confidence::Established);
     EXPECT_EQ(finding->kind, FindingKind::Effect);
     ASSERT_FALSE(bridge.parameters.empty());
@@ -65,12 +68,12 @@ TEST(DiscoveryOnABoard, TellsADraughtAsTheFlowThatItIs) {
     ASSERT_TRUE(finding) << format(finding.diagnostics());
     EXPECT_TRUE(finding->effects.empty());
     EXPECT_EQ(finding->kind, FindingKind::Unexplained);
-    ASSERT_TRUE(finding->disturbance);
-    EXPECT_EQ(finding->disturbance->node, "heater1.port");
-    EXPECT_EQ(finding->disturbance->unit, "W");
-    EXPECT_NEAR(finding->disturbance->size, 0.5, 0.2);
-    EXPECT_GT(finding->disturbance->timeConstant, 8);
-    EXPECT_LT(finding->disturbance->timeConstant, 50);
+    ASSERT_TRUE(finding->unexplained.disturbance);
+    EXPECT_EQ(finding->unexplained.disturbance->node, "heater1.port");
+    EXPECT_EQ(finding->unexplained.disturbance->unit, "W");
+    EXPECT_NEAR(finding->unexplained.disturbance->size, 0.5, 0.2);
+    EXPECT_GT(finding->unexplained.disturbance->timeConstant, 8);
+    EXPECT_LT(finding->unexplained.disturbance->timeConstant, 50);
 }
 
 TEST(DiscoveryOnABoard, TellsAnEffectBesideADraught) {
@@ -79,8 +82,8 @@ TEST(DiscoveryOnABoard, TellsAnEffectBesideADraught) {
     ASSERT_EQ(finding->effects.size(), 1u);
     EXPECT_EQ(finding->effects.front().kind, "thermal.bridge");
     EXPECT_EQ(finding->kind, FindingKind::Partial);
-    ASSERT_TRUE(finding->disturbance);
-    EXPECT_EQ(finding->disturbance->node, "heater1.port");
+    ASSERT_TRUE(finding->unexplained.disturbance);
+    EXPECT_EQ(finding->unexplained.disturbance->node, "heater1.port");
 }
 
 /// A lag of the command is the same where the power is proportional to it: one name stands for both.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/core/effect/search/warm_search.hpp"
 
 namespace analogon {
@@ -24,6 +26,21 @@ TEST(WorkLimit, OfNoneEndsWhenItIsAskedToFromOutside) {
     EXPECT_FALSE(work.token().stop_requested());
     outside.request_stop();
     EXPECT_TRUE(work.token().stop_requested());
+}
+
+TEST(WorkLimit, IsAMinuteOrThreeHundredFitsTimesThePatience) {
+    EXPECT_EQ(workAllowed(1, 1e4), 1e9) << "about a minute, however little the fit took";
+    EXPECT_EQ(workAllowed(1, 1e8), 3e10);
+    EXPECT_EQ(workAllowed(10, 1e8), 3e11);
+    EXPECT_EQ(workAllowed(0, 1e8), 0) << "none";
+}
+
+TEST(SearchContext, LimitsASimulationInStepsInsteadOfSeconds) {
+    DiscoverOptions options;
+    options.fit.simulation.wallClockLimit = 3;
+    const SearchContext search(laggingBody(0), options, {});
+    EXPECT_EQ(search.fit.simulation.stepLimit, 5'000'000);
+    EXPECT_TRUE(std::isinf(search.fit.simulation.wallClockLimit)) << "the same on a busy machine";
 }
 
 TEST(Stay, IsOfTheSameEffectsAtTheSameOptimum) {

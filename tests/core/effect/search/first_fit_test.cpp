@@ -12,7 +12,13 @@ TEST(FirstFit, IsIntegratedNoMoreExactlyThanTheNoiseAsksFor) {
     const double asked = 1e-9, found = toleranceBeside(of.base, asked);
     EXPECT_GT(found, asked);
     EXPECT_LE(found, 3e-5);
+    EXPECT_DOUBLE_EQ(found, 2e-3 * quietest(of.base));
     EXPECT_EQ(beginningAnywhere({}).otherStarts, 128);
+}
+
+TEST(FirstFit, IsHeldAgainstSevenOthersWithinAFactorOfFour) {
+    EXPECT_EQ(beginningNear({}).starts, 8);
+    EXPECT_EQ(beginningNear({}).startsWithin, 4);
 }
 
 TEST(FirstFit, BeginsNowhereElseWhereNoiseIsLeft) {

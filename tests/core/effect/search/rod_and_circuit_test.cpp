@@ -6,6 +6,7 @@
 #include <functional>
 #include <random>
 
+#include "core/base/work.hpp"
 #include "core/effect/search/discover.hpp"
 #include "tests/core/effect/text_task.hpp"
 
@@ -85,8 +86,11 @@ TEST(DiscoveryOnARod, AddsNothingWhereNothingIsMissing) {
     EXPECT_TRUE(finding->effects.empty());
 }
 
+// Its limits of work (thresholds of origin "cost") are there to save time: each must be felt.
 TEST(DiscoveryOnARod, NamesADragWithTheSquareOfTheVelocity) {
+    const WorkCount work;
     const Outcome<Finding> finding = discover(rod(30, 0));
+    EXPECT_NEAR(work.done(), 3.65e6, 0.37e6) << "steps";
     ASSERT_TRUE(finding) << format(finding.diagnostics());
     ASSERT_EQ(finding->effects.size(), 1u);
     EXPECT_EQ(finding->effects.front().kind, "drag.quadratic");
@@ -100,7 +104,7 @@ TEST(DiscoveryOnARod, NamesAConstantForceOrWhatIsTheSame) {
     ASSERT_EQ(finding->effects.size(), 1u);
     const AddedEffect& effect = finding->effects.front();
     const auto isForce = [](const std::string& kind) { return kind == "force.constant"; };
-    EXPECT_TRUE(isForce(effect.kind) || std::any_of(effect.alternatives.begin(), effect.alternatives.end(),
+    EXPECT_TRUE(isForce(effect.kind) || std::any_of(effect.instead.effects.begin(), effect.instead.effects.end(),
                                                     [&](const auto& other) { return isForce(other.kind); }))
         << effect.kind;
 }
@@ -180,7 +184,9 @@ TEST(DiscoveryInACircuit, NamesALeakage) {
 }
 
 TEST(DiscoveryInACircuit, NamesTheResistanceOfALead) {
+    const WorkCount work;
     const Outcome<Finding> finding = discover(circuit(0.7, 0));
+    EXPECT_NEAR(work.done(), 2.73e6, 0.28e6) << "steps";
     ASSERT_TRUE(finding) << format(finding.diagnostics());
     ASSERT_EQ(finding->effects.size(), 1u);
     EXPECT_EQ(finding->effects.front().kind, "resistance.series");
