@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <stop_token>
 
 #include "tests/core/effect/warm_body.hpp"
@@ -68,6 +69,61 @@ TEST(Change, IsNoneAtEitherEndOfARecording) {
     ASSERT_TRUE(found);
     EXPECT_GE(found->time, 0.039 * samples) << "a break in the first samples is a wrong start";
     EXPECT_LT(found->time, 0.1 * samples);
+}
+
+/// A motor without inductance whose winding has 8 % more resistance from that sample on: its current follows at once,
+/// its speed does not.
+EstimationTask motorWithAJump(int at) {
+    constexpr int count = 3000, within = 20;
+    constexpr double interval = 2e-3, k = 0.045, J = 2.5e-4, b = 2e-4;
+    EstimationTask task = taskOf(R"(model Motor
+  Analogon.Interfaces.RealInput v(unit="V");
+  Analogon.Interfaces.RealOutput i(unit="A");
+  Analogon.Interfaces.RealOutput w(unit="rad/s");
+  parameter Real R(unit="Ohm") = 0.5;
+  parameter Real k(unit="N.m/A") = 0.04;
+  parameter Real J(unit="kg.m2") = 2e-4;
+  parameter Real b(unit="N.m.s/rad") = 1e-4;
+equation
+  v = R*i + k*w;
+  J*der(w) = k*i - b*w;
+end Motor;
+)",
+                                 "Motor");
+    task.parameters = {{"R", "Ohm", 0.5, 0.05, 5},
+                       {"k", "N.m/A", 0.04, 0.001, 1},
+                       {"J", "kg.m2", 2e-4, 1e-5, 1e-2},
+                       {"b", "N.m.s/rad", 1e-4, 1e-6, 0.1}};
+    Recording r = blankRecording("run", {"v"}, {"i", "w"}, count);
+    std::mt19937 random(3);
+    std::normal_distribution<double> noise;
+    const auto voltage = [](double n) { return 8 * std::sin(0.004 * n) * std::sin(0.0171 * n + 0.4); };
+    double w = 0;
+    for (int n = 0; n < count; ++n) {
+        const double R = n < at ? 0.45 : 0.45 * 1.08;
+        r.time.push_back(interval * n);
+        r.inputs(0, n) = voltage(n);
+        r.outputs(0, n) = (voltage(n) - k * w) / R + 0.05 * noise(random);
+        r.outputs(1, n) = w + 0.2 * noise(random);
+        for (int m = 0; m < within; ++m) {
+            const double part = (m + 0.5) / within, v = (1 - part) * voltage(n) + part * voltage(n + 1);
+            w += interval / within * (k * (v - k * w) / R - b * w) / J;
+        }
+    }
+    task.recordings = {r};
+    return task;
+}
+
+TEST(Change, IsFoundToTheSampleWhereAnOutputFollowsAtOnce) {
+    for (const int at : {930, 1401, 1777}) {
+        const Outcome<NullModel> null = fitNull({motorWithAJump(at), {}, {}}, {}, NoiseLevel::Estimate, {}, {});
+        ASSERT_TRUE(null) << format(null.diagnostics());
+        const std::optional<Change> found = bestChange(*null, {}, 1, {});
+        ASSERT_TRUE(found);
+        EXPECT_EQ(found->parameter, "R");
+        EXPECT_NEAR(found->time, 2e-3 * at, 0.006);
+        EXPECT_TRUE(isNoise(null->channels, found->fit)) << "all that was left";
+    }
 }
 
 TEST(Change, IsHeldAgainstChecksOfEitherCondition) {
