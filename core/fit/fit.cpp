@@ -135,14 +135,17 @@ bool endedAtAKink(const Minimum& minimum, Misfit& misfit, const FitOptions& opti
            options.method == FitMethod::LeastSquares && options.costTolerance <= strict;
 }
 
-/// The simplex goes on from there: it needs no slopes.
+/// The simplex goes on from there: it needs no slopes, and may take as long as the fit did until then.
 Minimum withoutSlopes(const Minimum& from, Misfit& misfit, Coordinates& coordinates, FitOptions options) {
-    constexpr int simulationsEach = 400;  // for each parameter
     options.method = FitMethod::NelderMead;
-    options.maxSimulations = misfit.simulations() + simulationsEach * coordinates.size();
+    options.maxSimulations = 2 * misfit.simulations();
     coordinates.moveOrigin(from.values);
     Minimum minimum = directSearch(misfit, coordinates, options);
     minimum.iterations += from.iterations;
+    if (minimum.status == FitStatus::IterationLimit) {
+        minimum.status = from.status;
+        minimum.message = from.message;
+    }
     return minimum;
 }
 
