@@ -127,28 +127,6 @@ private:
     int lossRounds_{}, priorRounds_{}, planRounds_{};
 };
 
-/// Where the misfit has a kink (a body that begins to slide between two samples) no step along its slopes may lower it.
-/// Trials that are only compared are left as they are.
-bool endedAtAKink(const Minimum& minimum, Misfit& misfit, const FitOptions& options) {
-    constexpr double strict = 1e-9;
-    return minimum.status == FitStatus::Failed && misfit.failure().empty() && misfit.hasBest() &&
-           options.method == FitMethod::LeastSquares && options.costTolerance <= strict;
-}
-
-/// The simplex goes on from there: it needs no slopes, and may take as long as the fit did until then.
-Minimum withoutSlopes(const Minimum& from, Misfit& misfit, Coordinates& coordinates, FitOptions options) {
-    options.method = FitMethod::NelderMead;
-    options.maxSimulations = 2 * misfit.simulations();
-    coordinates.moveOrigin(from.values);
-    Minimum minimum = directSearch(misfit, coordinates, options);
-    minimum.iterations += from.iterations;
-    if (minimum.status == FitStatus::IterationLimit) {
-        minimum.status = from.status;
-        minimum.message = from.message;
-    }
-    return minimum;
-}
-
 /// How much the residuals move with each parameter: in its own units, or relative where it is searched so.
 Eigen::VectorXd relativeSlopes(const Coordinates& coordinates, const ReducedMisfit& at, const Eigen::VectorXd& values) {
     Eigen::VectorXd slopes = at.jacobian.colwise().norm();
@@ -268,7 +246,6 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
         iterations += minimum.iterations;
     }
     minimum.iterations = iterations;
-    if (endedAtAKink(minimum, misfit, options)) minimum = withoutSlopes(minimum, misfit, coordinates, options);
     if (minimum.status == FitStatus::Converged) {
         const int lost =
             lostInfluence(problem, coordinates, descent.startSlopes, misfit.reduced(minimum.values), minimum);

@@ -485,7 +485,7 @@ TEST(Fit, TakesSlopesFromDifferencesOnlyWhereTheCostFalls) {
     const FitResult result = fit(problem);
     EXPECT_TRUE(result.takesDifferences);
     EXPECT_LT(result.cost, 0.5 * 1.15 * 2 * brushSamples);
-    EXPECT_LT(result.simulations, 300) << "twice as many, were slopes taken at every step that is tried";
+    EXPECT_LT(result.simulations, 150) << "twice as many, were slopes taken at every step that is tried";
 }
 
 }  // namespace
