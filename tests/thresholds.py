@@ -52,11 +52,13 @@ def first_failure(program, threshold, factor, tests, seconds):
 def examine(program, tests, skip, seconds, threshold, factors):
     """The first factor of which a test takes notice, and that test."""
     beside = sorted(suites_beside(threshold.split(".")[1]))
-    first = ":".join(s + ".*" for s in beside) + "-" + skip
-    rest = tests + "-" + ":".join([skip, *(s + ".*" for s in beside)]).strip(":")
-    for asked in [first, rest] if beside and tests == "*" else [rest]:
+    asked = [f"{tests}-{skip}"]
+    if beside and tests == "*":
+        first = ":".join(s + ".*" for s in beside)
+        asked = [f"{first}-{skip}", f"*-{skip}:{first}"]
+    for wanted in asked:
         for factor in factors:
-            found = first_failure(program, threshold, factor, asked, seconds)
+            found = first_failure(program, threshold, factor, wanted, seconds)
             if found != "-":
                 return factor, found
     return "-", "-"
