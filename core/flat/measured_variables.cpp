@@ -48,7 +48,7 @@ void driveByRecording(Flattening& work, VariableId id) {
 }  // namespace
 
 void takeMeasured(Flattening& work) {
-    const MeasuredSignals measured = measuredOf(work.library, work.model.name);
+    const MeasuredSignals& measured = work.library.measured(work.model.name);
     const auto each = [&](const std::vector<std::string>& names, const auto& take) {
         for (const std::string& name : names) {
             const VariableId id = work.model.find(name);

@@ -8,6 +8,7 @@
 
 #include "core/base/text.hpp"
 #include "core/library/lazy_packages.hpp"
+#include "core/library/measured_signals.hpp"
 #include "core/library/moved_classes.hpp"
 #include "core/library/name_search.hpp"
 #include "core/library/package_loader.hpp"
@@ -77,6 +78,17 @@ Library Library::withDirectories(std::vector<fs::path> directories) const {
     if (lazy_) directories.insert(directories.end(), lazy_->directories().begin(), lazy_->directories().end());
     result.lazy_ = std::make_shared<LazyPackages>(std::move(directories));
     return result;
+}
+
+Library Library::withMeasured(MeasuredSignals signals) const {
+    Library result = *this;
+    result.measured_ = std::make_shared<const MeasuredSignals>(std::move(signals));
+    return result;
+}
+
+const MeasuredSignals& Library::measured(std::string_view className) const {
+    static const MeasuredSignals none;
+    return measured_ && measured_->className == className ? *measured_ : none;
 }
 
 Diagnostics Library::lazyFaults() const { return lazy_ ? lazy_->faults() : Diagnostics(); }

@@ -13,6 +13,7 @@
 namespace analogon {
 
 class LazyPackages;
+struct MeasuredSignals;
 
 /// A class with the full name it has in the library.
 struct LibraryClass {
@@ -36,6 +37,12 @@ public:
 
     /// Adds directories that hold packages; earlier ones are searched first.
     Library withDirectories(std::vector<std::filesystem::path> directories) const;
+    /// With what recordings hold of one of its classes, in place of what was known before. flatten() heeds it, also
+    /// where the text of the class is varied.
+    Library withMeasured(MeasuredSignals signals) const;
+    /// What recordings hold of a class; empty where nothing is known of it.
+    const MeasuredSignals& measured(std::string_view className) const;
+
     /// What is wrong with the files of searched directories that were read so far.
     Diagnostics lazyFaults() const;
 
@@ -71,8 +78,9 @@ private:
     std::string usedVersion(std::string_view package) const;
     Library with(std::vector<LibraryClass> added) const;
 
-    std::shared_ptr<const Content> content_;  // null: empty
-    std::shared_ptr<LazyPackages> lazy_;      // null: no directories are searched
+    std::shared_ptr<const Content> content_;           // null: empty
+    std::shared_ptr<LazyPackages> lazy_;               // null: no directories are searched
+    std::shared_ptr<const MeasuredSignals> measured_;  // null: of no class
 };
 
 /// The directory that holds `Analogon/package.mo`: what the environment variable ANALOGON_LIBRARY names, or else beside

@@ -1,10 +1,7 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
-
-#include "core/library/library.hpp"
 
 namespace analogon {
 
@@ -14,11 +11,5 @@ struct MeasuredSignals {
     std::vector<std::string> compared;  // variables of it: "inertia2.w"
     std::vector<std::string> driven;    // what it is driven by: "step1.y"
 };
-
-/// The library with that known of one of its classes. flatten() heeds it, also where the text of the class is varied.
-Outcome<Library> withMeasured(const Library& library, const MeasuredSignals& signals);
-
-/// What is known of a class; empty where nothing is.
-MeasuredSignals measuredOf(const Library& library, std::string_view className);
 
 }  // namespace analogon

@@ -627,7 +627,7 @@ Outcome<Library> studyLibrary(const Study& study) {
         add(model->first, model->second);
     keep(library->withSources(sources));
     if (const LibraryClass* model = library->find(study.className))
-        keep(withMeasured(*library, mappedSignals(study, model->qualifiedName)));
+        library = Outcome<Library>(library->withMeasured(mappedSignals(study, model->qualifiedName)));
     if (!faults.empty()) return faults;
     return {std::move(*library), std::move(warnings)};
 }

@@ -106,7 +106,7 @@ std::string flowOf(const std::string& signature) {
 
 /// Whether a recording compares or drives something that is no input or output by the text of the model.
 bool isMeasuredWithin(const Library& library, const std::string& className, const std::string& name) {
-    const MeasuredSignals measured = measuredOf(library, className);
+    const MeasuredSignals& measured = library.measured(className);
     const auto isIn = [&](const std::vector<std::string>& names) {
         return std::find(names.begin(), names.end(), name) != names.end();
     };

@@ -24,9 +24,8 @@ constexpr const char* rig = R"(
   end M;)";
 
 FlatModel measured(std::vector<std::string> compared, std::vector<std::string> driven) {
-    const Outcome<Library> library = withMeasured(test::libraryOf(rig), {"M", std::move(compared), std::move(driven)});
-    EXPECT_TRUE(library) << format(library.diagnostics());
-    const Outcome<FlatModel> flat = library ? flatten(*library, "M") : Outcome<FlatModel>(library.diagnostics());
+    const Library library = test::libraryOf(rig).withMeasured({"M", std::move(compared), std::move(driven)});
+    const Outcome<FlatModel> flat = flatten(library, "M");
     EXPECT_TRUE(flat) << format(flat.diagnostics());
     return flat ? *flat : FlatModel{};
 }
