@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "core/base/stop.hpp"
 #include "core/flat/dependent_nodes.hpp"
 #include "core/structure/index_reduction.hpp"
 #include "core/structure/rewrite.hpp"
+#include "core/structure/row_groups.hpp"
 
 namespace analogon {
 namespace {
@@ -160,24 +160,15 @@ void Cancellation::run() {
         if (std::optional<Row> row = rowOf(e, incidence[e])) rows.push_back(std::move(*row));
     }
     // Groups that share derivatives; in one of as many rows as derivatives and more can rows depend on each other.
-    std::vector<std::size_t> group(rows.size());
-    std::iota(group.begin(), group.end(), std::size_t{0});
-    const auto find = [&group](std::size_t i) {
-        while (group[i] != i) i = group[i] = group[group[i]];
-        return i;
+    const auto derivativesOf = [](const Row& row) {
+        std::vector<int> unknowns;
+        for (const auto& [u, c] : row.coefficients) unknowns.push_back(u);
+        return unknowns;
     };
-    std::map<int, std::size_t> firstWith;
-    for (std::size_t r = 0; r < rows.size(); ++r)
-        for (const auto& [u, c] : rows[r].coefficients) {
-            const auto [at, isNew] = firstWith.emplace(u, r);
-            if (!isNew) group[find(r)] = find(at->second);
-        }
-    std::map<std::size_t, std::vector<Row>> members;
-    for (std::size_t r = 0; r < rows.size(); ++r) members[find(r)].push_back(std::move(rows[r]));
     constexpr std::size_t mostRows = 300;  // elimination is quadratic and more
-    for (auto& [first, group_] : members)
-        if (group_.size() > 1 && group_.size() <= mostRows && eliminate(group_, Elimination::Numbers))
-            eliminate(std::move(group_), Elimination::Expressions);
+    for (std::vector<Row>& group : groupsThatShare(std::move(rows), derivativesOf))
+        if (group.size() > 1 && group.size() <= mostRows && eliminate(group, Elimination::Numbers))
+            eliminate(std::move(group), Elimination::Expressions);
 }
 
 }  // namespace

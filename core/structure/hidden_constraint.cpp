@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "core/base/stop.hpp"
+#include "core/structure/row_groups.hpp"
 
 namespace analogon {
 namespace {
@@ -24,10 +24,12 @@ public:
     explicit HiddenConstraints(EquationSystem& system) : system_(system), pool_(*system.pool) {}
 
     void reveal() {
+        std::vector<Sum> sums;
         for (std::size_t e = 0; e < system_.equations.size(); ++e)
-            if (std::optional<Sum> sum = sumOf(e)) sums_.push_back(std::move(*sum));
+            if (std::optional<Sum> sum = sumOf(e)) sums.push_back(std::move(*sum));
         constexpr std::size_t mostSums = 300;  // elimination is quadratic and more
-        for (auto& [first, group] : groups())
+        const auto othersOf = [this](const Sum& sum) { return othersThanStates(sum); };
+        for (std::vector<Sum>& group : groupsThatShare(std::move(sums), othersOf))
             if (group.size() > 1 && group.size() <= mostSums && statesIn(group) > 1) eliminate(group);
     }
 
@@ -81,24 +83,11 @@ private:
         return !(std::fabs(factor) > negligible * sum.scale);
     }
 
-    /// Sums that share an unknown that is no state, directly or through others.
-    std::map<std::size_t, std::vector<Sum>> groups() {
-        std::vector<std::size_t> group(sums_.size());
-        std::iota(group.begin(), group.end(), std::size_t{0});
-        const auto find = [&group](std::size_t i) {
-            while (group[i] != i) i = group[i] = group[group[i]];
-            return i;
-        };
-        std::map<int, std::size_t> firstWith;
-        for (std::size_t s = 0; s < sums_.size(); ++s)
-            for (const auto& [unknown, factor] : sums_[s].factors) {
-                if (isState(unknown)) continue;
-                const auto [at, isNew] = firstWith.emplace(unknown, s);
-                if (!isNew) group[find(s)] = find(at->second);
-            }
-        std::map<std::size_t, std::vector<Sum>> members;
-        for (std::size_t s = 0; s < sums_.size(); ++s) members[find(s)].push_back(std::move(sums_[s]));
-        return members;
+    std::vector<int> othersThanStates(const Sum& sum) const {
+        std::vector<int> others;
+        for (const auto& [unknown, factor] : sum.factors)
+            if (!isState(unknown)) others.push_back(unknown);
+        return others;
     }
 
     std::size_t statesIn(const std::vector<Sum>& group) const {
@@ -132,9 +121,8 @@ private:
     bool isHidden(const Sum& sum) const {
         std::set<int> others;
         for (const std::size_t equation : sum.from) {
-            const std::optional<Sum> whole = sumOf(equation);
-            for (const auto& [unknown, factor] : whole->factors)
-                if (!isState(unknown)) others.insert(unknown);
+            const std::vector<int> its = othersThanStates(*sumOf(equation));
+            others.insert(its.begin(), its.end());
         }
         return others.size() >= sum.from.size();
     }
@@ -161,7 +149,6 @@ private:
 
     EquationSystem& system_;
     ExpressionPool& pool_;
-    std::vector<Sum> sums_;
 };
 
 }  // namespace
