@@ -119,13 +119,11 @@ public:
     /// input.
     double squaresWithALateOutput() const {
         double least = std::numeric_limits<double>::infinity();
-        const FitResult& fit = onLines_.fit;
-        for (const ResidualChannel& c : onLines_.channels)
-            if (static_cast<std::size_t>(c.experiment) >= fit.optimum.trajectories.size()) return least;  // not kept
+        const Linearisation& optimum = onLines_.fit.optimum;
         for (int output = 0; output < static_cast<int>(onLines_.noise.front().size()); ++output)
             for (const double samples : {0.25, 0.5, 0.75, 1.0, 1.5, 2.0}) {
-                Eigen::VectorXd residuals = fit.optimum.residuals;
-                Eigen::MatrixXd jacobian = fit.optimum.jacobian;
+                Eigen::VectorXd residuals = optimum.residuals;
+                Eigen::MatrixXd jacobian = optimum.jacobian;
                 for (const ResidualChannel& c : onLines_.channels)
                     if (c.output == output) delay(c, samples, residuals, jacobian);
                 least = std::min(least, OrthogonalProjector(jacobian)(residuals).squaredNorm());
@@ -139,15 +137,13 @@ private:
     void delay(const ResidualChannel& c, double samples, Eigen::VectorXd& residuals, Eigen::MatrixXd& jacobian) const {
         const auto whole = static_cast<int>(samples);
         const double part = samples - whole;
-        const auto e = static_cast<std::size_t>(c.experiment);
-        const int recording = recordingsOf(onLines_.variant.task, Role::Fit)[e];
-        const double noise = onLines_.noise[static_cast<std::size_t>(recording)][c.output];
-        const auto y = onLines_.fit.optimum.trajectories[e].outputs.row(c.output);
         const Eigen::MatrixXd& slopes = onLines_.fit.optimum.jacobian;
+        const Eigen::VectorXd simulated =
+            onLines_.fit.optimum.residuals.segment(c.begin, c.measured.size()) + c.measured;
         for (int i = whole + 1; i < c.end - c.begin; ++i) {
             const int sample = c.samples[static_cast<std::size_t>(i)], row = c.begin + i;
             if (c.samples[static_cast<std::size_t>(i - whole - 1)] != sample - whole - 1) continue;
-            residuals[row] += ((1 - part) * y[sample - whole] + part * y[sample - whole - 1] - y[sample]) / noise;
+            residuals[row] = (1 - part) * simulated[i - whole] + part * simulated[i - whole - 1] - c.measured[i];
             jacobian.row(row) = (1 - part) * slopes.row(row - whole) + part * slopes.row(row - whole - 1);
         }
     }
