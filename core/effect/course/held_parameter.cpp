@@ -149,10 +149,8 @@ std::vector<HeldInstead> heldInstead(const NullModel& without, const NullModel& 
             found.push_back({p.name, p.unit, p.start, e.value, e.standardError, i < bound.size(),
                              isNoise(with.channels, *fit), gain,
                              (without.sumOfSquares() - squares) / (squares / rows)});
-            if (const Outcome<ModelState> state = stateOf(freed, *fit, options.simulation, progress, Detail::Errors)) {
-                found.back().errors.fit = errorPercentOf(*state, Role::Fit);
-                found.back().errors.validate = validationErrorOf(*state);
-            }
+            if (const Outcome<ModelState> state = stateOf(freed, *fit, options.simulation, progress, Detail::Errors))
+                found.back().errors = errorsOf(*state);
         }
     }
     std::stable_sort(found.begin(), found.end(),

@@ -32,10 +32,10 @@ std::vector<EffectValue> estimatesOf(const PlacedEffect& placed, const FitResult
 /// a contact to their surroundings.
 int plausibility(const EffectClass& effect);
 
-/// Whether an effect, by what the model loses without it, has to stay.
 /// Whether an effect of a flexible form leaves structure: there it may stand in for other effects.
 bool mayFollowOthers(const NullModel& null, const Trial& trial);
 
+/// Whether an effect, by what the model loses without it, has to stay.
 bool isMissed(const Acceptance& a);
 
 /// Whether the model is so much worse without an effect that its standard error need not bear it out: where the model's

@@ -367,6 +367,8 @@ double errorPercentOf(const ModelState& state, Role role) {
         experiments, [](const ExperimentState* e) { return e->errorPercent; }, hasScale);
 }
 
+ErrorsWith errorsOf(const ModelState& state) { return {errorPercentOf(state, Role::Fit), validationErrorOf(state)}; }
+
 double validationErrorOf(const ModelState& state) {
     const bool isAny = std::any_of(state.experiments.begin(), state.experiments.end(),
                                    [](const ExperimentState& e) { return e.role == Role::Validate; });

@@ -37,4 +37,7 @@ double errorPercentOf(const ModelState& state, Role role);
 /// The same over the experiments that were not fitted; -1 when there is none.
 double validationErrorOf(const ModelState& state);
 
+/// Both.
+ErrorsWith errorsOf(const ModelState& state);
+
 }  // namespace analogon

@@ -39,8 +39,7 @@ Outcome<Done> beginAnew(SearchContext& search, NullModel& base) {
     search.frontier.beginsAnew = false;
     search.courses = {};
     search.frontier.opening.reset();
-    search.frontier.stays.visited.clear();
-    search.frontier.stays.lawless.clear();
+    search.frontier.stays = {};
     search.frontier.otherEnds.clear();
     base.variant.task.recordings = search.readings.searched.task.recordings;
     Outcome<NullModel> next = fitNull(base.variant, base.noise, NoiseLevel::Estimate, search.fit, search.progress);

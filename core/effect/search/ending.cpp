@@ -118,11 +118,9 @@ void tellHeldWrongly(Ending& end, const std::vector<ColouredNoise>& noise) {
 void tellDependence(const SearchContext& search, Ending& end, const std::vector<ColouredNoise>& noise) {
     const ChannelDependence& dependence = *search.courses.dependence;
     Remainder r = remainderOf(dependence);
-    if (const Outcome<ModelState> with = stateOf(dependence.variant, dependence.fit, search.options.fit.simulation,
-                                                 search.progress, Detail::Errors)) {
-        r.proposal.errors.fit = errorPercentOf(*with, Role::Fit);
-        r.proposal.errors.validate = validationErrorOf(*with);
-    }
+    if (const Outcome<ModelState> with =
+            stateOf(dependence.variant, dependence.fit, search.options.fit.simulation, search.progress, Detail::Errors))
+        r.proposal.errors = errorsOf(*with);
     offerCourse(search, end, noise, std::move(r), dependence);
     end.finding.warnings.push_back(
         phrase("{} seems to move with the recorded channel {}", dependence.parameter, dependence.channel));

@@ -140,9 +140,7 @@ Round withPairMembers(SearchContext& search, const NullModel& null, Round round)
     round.trials.insert(round.trials.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     round.chosen.reset();
     round.members.clear();
-    round.refused.failsHeldOut.clear();
-    round.refused.tooFaint.clear();
-    round.refused.why.clear();
+    round.refused = {};
     round.refused.behind = phrase("explains less together with another than the pair with which the search began");
     rank(null, round.trials);
     return round;

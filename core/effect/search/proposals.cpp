@@ -47,10 +47,7 @@ void tell(Remainder& r, const PlacedEffect& placed, const NullModel& model, cons
         if (const Outcome<FlatModel> valued = flattened(model.variant.task, state->modelText))
             addOtherParameters(*valued, placed, values);
     r.proposal.equation = withValues(equationOf(placed), values);
-    if (state) {
-        r.proposal.errors.fit = errorPercentOf(*state, Role::Fit);
-        r.proposal.errors.validate = validationErrorOf(*state);
-    }
+    if (state) r.proposal.errors = errorsOf(*state);
 }
 
 }  // namespace

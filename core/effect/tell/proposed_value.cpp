@@ -76,8 +76,7 @@ Text remarkOfEqual(const HeldInstead& h) {
 
 Remainder remainderOf(const HeldInstead& h) {
     Remainder r = changing(h.parameter, h.explained, phrase("{} = {:.5g}", h.parameter, h.value));
-    r.proposal.errors.fit = h.errors.fit;
-    r.proposal.errors.validate = h.errors.validate;
+    r.proposal.errors = h.errors;
     return r;
 }
 
