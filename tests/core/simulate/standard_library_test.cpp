@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "core/eval/event_parts.hpp"
 #include "core/flat/flat_model.hpp"
@@ -20,23 +22,29 @@ std::string nameOf(const ::testing::TestParamInfo<Example>& info) {
     return name.substr(name.rfind('.') + 1);
 }
 
+/// A class of the library in that directory, from its text to its trajectory.
+Outcome<EventTrajectory> simulated(const char* directory, const char* name, const std::vector<std::string>& variables,
+                                   const EventRunOptions& options) {
+    const Outcome<Library> library = Library().withPath(directory);
+    if (!library) return library.diagnostics();
+    const Outcome<FlatModel> flat = flatten(*library, name);
+    if (!flat) return flat.diagnostics();
+    const Outcome<HybridModel> hybrid = partition(*flat);
+    if (!hybrid) return hybrid.diagnostics();
+    const Outcome<SystemPtr> system = systemBetween(*hybrid);
+    if (!system) return system.diagnostics();
+    return simulateWithEvents(*hybrid, **system, variables, options);
+}
+
 /// Classes of the Modelica Standard Library, each for a kind of model; without the library they are skipped.
 class StandardLibraryExample : public ::testing::TestWithParam<Example> {};
 
 TEST_P(StandardLibraryExample, Runs) {
     const char* const path = std::getenv("MODELICAPATH");
     if (!path || !*path) GTEST_SKIP() << "MODELICAPATH names no directory with the Modelica Standard Library";
-    const Outcome<Library> library = Library().withPath(path);
-    ASSERT_TRUE(library) << format(library.diagnostics());
-    const Outcome<FlatModel> flat = flatten(*library, GetParam().name);
-    ASSERT_TRUE(flat) << format(flat.diagnostics());
-    const Outcome<HybridModel> hybrid = partition(*flat);
-    ASSERT_TRUE(hybrid) << format(hybrid.diagnostics());
-    const Outcome<SystemPtr> system = systemBetween(*hybrid);
-    ASSERT_TRUE(system) << format(system.diagnostics());
     EventRunOptions options;
     options.stop = GetParam().stop;
-    const Outcome<EventTrajectory> run = simulateWithEvents(*hybrid, **system, {}, options);
+    const Outcome<EventTrajectory> run = simulated(path, GetParam().name, {}, options);
     EXPECT_TRUE(run) << format(run.diagnostics());
 }
 
@@ -59,20 +67,12 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(StandardLibrary, AMachineThatBrakesThroughABridgeMovesAsByHand) {
     const char* const path = std::getenv("MODELICAPATH");
     if (!path || !*path) GTEST_SKIP() << "MODELICAPATH names no directory with the Modelica Standard Library";
-    const Outcome<Library> library = Library().withPath(path);
-    ASSERT_TRUE(library) << format(library.diagnostics());
-    const Outcome<FlatModel> flat =
-        flatten(*library, "Modelica.Electrical.Machines.Examples.SynchronousMachines.SMPM_Braking");
-    ASSERT_TRUE(flat) << format(flat.diagnostics());
-    const Outcome<HybridModel> hybrid = partition(*flat);
-    ASSERT_TRUE(hybrid) << format(hybrid.diagnostics());
-    const Outcome<SystemPtr> system = systemBetween(*hybrid);
-    ASSERT_TRUE(system) << format(system.diagnostics());
     EventRunOptions options;
     options.stop = 0.8;
     options.interval = 5e-5;
-    const Outcome<EventTrajectory> run = simulateWithEvents(
-        *hybrid, **system, {"inertiaLoad.phi", "inertiaLoad.w", "smpm.idq_sr[1]", "smpm.idq_sr[2]"}, options);
+    const Outcome<EventTrajectory> run =
+        simulated(path, "Modelica.Electrical.Machines.Examples.SynchronousMachines.SMPM_Braking",
+                  {"inertiaLoad.phi", "inertiaLoad.w", "smpm.idq_sr[1]", "smpm.idq_sr[2]"}, options);
     ASSERT_TRUE(run) << format(run.diagnostics());
     struct Point {
         double time;                   // [s]
