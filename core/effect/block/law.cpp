@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <set>
 
@@ -17,29 +18,10 @@ using namespace threshold::law;
 
 namespace {
 
-using Names = std::vector<std::pair<std::string, std::string>>;  // of variables, with their units
-
 std::string potentialName(const ModelNodes::FlowNode& node) { return node.place.connector + "." + node.potential; }
 
 /// Whether a quantity is the angle of a shaft that turns on and on: nothing depends on how often it has turned.
 bool turnsOn(const LawQuantity& q, const std::string& unit) { return unit == "rad" && q.range.width() > mostAngle; }
-
-/// The quantities of the model but for one that moves as the place's own; temperatures as differences to `origin`,
-/// NaN: to their own first value.
-std::vector<LawQuantity> foreignQuantities(const Names& others, const Series& values, const std::string& own,
-                                           double origin) {
-    std::vector<LawQuantity> found;
-    const auto same = values.find(own);
-    for (const auto& [name, unit] : others) {
-        const auto x = values.find(name);
-        if (x == values.end() || found.size() == mostQuantities) continue;
-        if (same != values.end() && (x->second.front() - same->second.front()).cwiseAbs().maxCoeff() == 0) continue;
-        const double zero = unit != "K" ? 0 : std::isnan(origin) ? originOf(x->second.front()) : origin;
-        LawQuantity q = quantityOf("x" + std::to_string(found.size() + 1), name, name, unit, x->second, zero);
-        if (!turnsOn(q, unit)) found.push_back(std::move(q));
-    }
-    return found;
-}
 
 /// Products of two quantities of the model.
 void addPairs(const std::vector<LawQuantity>& foreign, std::size_t j, std::vector<Term>& terms) {
@@ -54,7 +36,8 @@ Eigen::VectorXd speed(const NullModel& null, const Eigen::VectorXd& angle, int e
     return w;
 }
 
-LawProbe probeAt(const NullModel& null, const ModelNodes::FlowNode& node, const Names& others, const Series& values) {
+LawProbe probeAt(const NullModel& null, const ModelNodes::FlowNode& node, const NamedUnits& others,
+                 const Series& values) {
     LawProbe probe(null, siteOf(node));
     std::vector<Term>& terms = probe.terms();
     const FlowDomain domain = flowDomain(node.flow);
@@ -94,7 +77,7 @@ LawProbe probeAt(const NullModel& null, const ModelNodes::FlowNode& node, const 
 
 /// A reading that is bent, that picks up another quantity, or whose scale moves with one. Its gain and offset have
 /// names.
-LawProbe probeAt(const NullModel& null, const SignalInfo& output, const Names& others, const Series& values) {
+LawProbe probeAt(const NullModel& null, const SignalInfo& output, const NamedUnits& others, const Series& values) {
     LawProbe probe(null, siteOf(output.name, output.unit));
     std::vector<Term>& terms = probe.terms();
     const auto found = values.find(output.name);
@@ -106,7 +89,7 @@ LawProbe probeAt(const NullModel& null, const SignalInfo& output, const Names& o
     if (!isAngle) {
         addPowers(own, false, 1, terms);
         terms.erase(terms.begin());  // its gain
-    } else if (own.range.width() > leastAngle) {
+    } else if (showsWaves(own)) {
         addWaves(own, terms);
     }
     const std::vector<LawQuantity> foreign = foreignQuantities(others, values, output.name, origin);
@@ -123,19 +106,40 @@ LawProbe probeAt(const NullModel& null, const SignalInfo& output, const Names& o
     return probe;
 }
 
-struct Likely {
-    std::size_t probe;
-    TermSet set;
-};
-
 /// The best of each kind of place, no more than so many.
-void keepBest(std::vector<Likely>& likely, std::size_t most) {
+void keepBest(std::vector<LikelyTerms>& likely, std::size_t most) {
     std::stable_sort(likely.begin(), likely.end(),
-                     [](const Likely& a, const Likely& b) { return a.set.explained > b.set.explained; });
+                     [](const LikelyTerms& x, const LikelyTerms& y) { return x.set.explained > y.set.explained; });
     if (likely.size() > most) likely.erase(likely.begin() + static_cast<std::ptrdiff_t>(most), likely.end());
 }
 
 }  // namespace
+
+std::vector<LawQuantity> foreignQuantities(const NamedUnits& others, const Series& values, const std::string& own,
+                                           double origin) {
+    std::vector<LawQuantity> found;
+    const auto same = values.find(own);
+    for (const auto& [name, unit] : others) {
+        const auto x = values.find(name);
+        if (x == values.end() || found.size() == mostQuantities) continue;
+        if (same != values.end() && (x->second.front() - same->second.front()).cwiseAbs().maxCoeff() == 0) continue;
+        const double zero = unit != "K" ? 0 : std::isnan(origin) ? originOf(x->second.front()) : origin;
+        LawQuantity q = quantityOf("x" + std::to_string(found.size() + 1), name, name, unit, x->second, zero);
+        if (!turnsOn(q, unit)) found.push_back(std::move(q));
+    }
+    return found;
+}
+
+bool showsWaves(const LawQuantity& angle) { return angle.range.width() > leastAngle; }
+
+std::vector<LikelyTerms> likeliestTerms(std::vector<LikelyTerms> ofFlows, std::vector<LikelyTerms> ofSensors) {
+    keepBest(ofFlows, mostOfFlows);
+    keepBest(ofSensors, mostOfFlows / 2);
+    std::vector<LikelyTerms> likely = std::move(ofFlows);
+    likely.insert(likely.end(), std::make_move_iterator(ofSensors.begin()), std::make_move_iterator(ofSensors.end()));
+    keepBest(likely, likely.size());
+    return likely;
+}
 
 std::vector<Law> likelyLaws(const NullModel& null, int before, const SimulationOptions& simulation, int threads,
                             const Progress& progress) {
@@ -145,7 +149,7 @@ std::vector<Law> likelyLaws(const NullModel& null, int before, const SimulationO
     const Outcome<PreparedTask> held = prepareHeld(null.variant, {}, null.noise);
     if (!nodes || !held) return laws;
     const std::vector<ModelNodes::FlowNode> flowNodes = nodes->flowNodes();
-    const Names others = quantitiesOf(*held->system);
+    const NamedUnits others = quantitiesOf(*held->system);
     std::set<std::string> names;
     for (const ModelNodes::FlowNode& node : flowNodes) names.insert(potentialName(node));
     for (const auto& [name, unit] : others) names.insert(name);
@@ -160,14 +164,11 @@ std::vector<Law> likelyLaws(const NullModel& null, int before, const SimulationO
         if (const std::optional<Eigen::MatrixXd> columns = probes[i].traces(simulation, progress))
             sets[i] = likeliestSets(null, probes[i].terms(), *columns);
     });
-    std::vector<Likely> likely, ofSensors;
+    std::vector<LikelyTerms> ofFlows, ofSensors;
     for (std::size_t i = 0; i < probes.size(); ++i)
-        for (TermSet& set : sets[i]) (i < flowNodes.size() ? likely : ofSensors).push_back({i, std::move(set)});
-    keepBest(likely, mostOfFlows);
-    keepBest(ofSensors, mostOfFlows / 2);
-    likely.insert(likely.end(), ofSensors.begin(), ofSensors.end());
-    keepBest(likely, likely.size());
-    for (const Likely& each : likely) laws.push_back(probes[each.probe].law(each.set.terms, ++before));
+        for (TermSet& set : sets[i]) (i < flowNodes.size() ? ofFlows : ofSensors).push_back({i, std::move(set)});
+    for (const LikelyTerms& each : likeliestTerms(std::move(ofFlows), std::move(ofSensors)))
+        laws.push_back(probes[each.probe].law(each.set.terms, ++before));
     return laws;
 }
 

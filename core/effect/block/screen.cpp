@@ -50,7 +50,7 @@ bool isAhead(const Observations& observations, const Screened& screened) {
     for (const Eigen::VectorXd& each : lead) largest = std::max(largest, each.cwiseAbs().maxCoeff());
     const double turn =
         effect.wave.phase.empty() ? observations.statistic("range", effect.wave.along) : 4 * quarterTurn;
-    return largest > 0 && most * largest > leastLead * turn;
+    return isAnotherCourse(largest, most, turn);
 }
 
 /// Whether a place is the end of an elastic component that has no inertia there: another spring in series with it moves
@@ -70,6 +70,8 @@ bool endsInASpring(const Variant& variant, const EffectPlace& place) {
 }
 
 }  // namespace
+
+bool isAnotherCourse(double lead, double waves, double turn) { return lead > 0 && waves * lead > leastLead * turn; }
 
 double Probe::strength() const { return plain.wrongSign || plain.strengths.size() == 0 ? 0 : plain.strengths[0]; }
 

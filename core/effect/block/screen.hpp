@@ -50,6 +50,10 @@ Outcome<Variant> wiredIn(const NullModel& null, const Screened& screened);
 /// stiff for the recording is given up.
 SimulationOptions limited(const NullModel& null, SimulationOptions simulation);
 
+/// Whether a course that was recorded is another one than the simulated course from which it is away by `lead` at most:
+/// to the shortest of so many waves a turn, or, without waves, to all that is passed (`turn`, in the unit of the lead).
+bool isAnotherCourse(double lead, double waves, double turn);
+
 /// Takes a candidate's traces and scores them (Rao's score test; secants where the slope at 0 misleads).
 Screened screen(const NullModel& null, const Candidate& candidate, const SimulationOptions& simulation,
                 const Progress& progress);

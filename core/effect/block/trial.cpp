@@ -259,6 +259,10 @@ FitOptions trialOptions(FitOptions options, int iterations) {
     return options;
 }
 
+bool isWeighed(std::ptrdiff_t ready, double explained, double best) {
+    return ready < (explained < faintShare * best ? mostStarts / 2 : mostStarts);
+}
+
 TrialStarts::TrialStarts(const NullModel& null, const Screened& screened, const FitOptions& options, int starts,
                          const Progress& progress)
     : null_(null), screened_(screened), options_(options), progress_(progress) {
@@ -276,8 +280,7 @@ TrialStarts::TrialStarts(const NullModel& null, const Screened& screened, const 
         const auto alike = std::count_if(ready_.begin(), ready_.end(), [&](const TrialStart& s) {
             return s.isAlongRecorded == probe->isAlongRecorded;
         });
-        const bool isFaint = probe->plain.explained < faintShare * offered.front().first->plain.explained;
-        if (alike == mostStarts || (alike >= mostStarts / 2 && isFaint)) continue;
+        if (!isWeighed(alike, probe->plain.explained, offered.front().first->plain.explained)) continue;
         std::optional<TrialStart> start = begin(*wired, *probe, strength);
         if (!start) continue;
         if (probe->secant == 0 && !probe->isAlongRecorded) takeBack(null, *start, rough, progress);

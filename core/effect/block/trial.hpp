@@ -28,6 +28,10 @@ struct Trial {
 
 FitOptions trialOptions(FitOptions options, int iterations);
 
+/// Whether a start is weighed against those of its kind that are ready already: its trace explains so much, that of the
+/// best start so much.
+bool isWeighed(std::ptrdiff_t ready, double explained, double best);
+
 struct TrialStart;
 
 /// A candidate on the way through its starts (one a distinct shape or secant, at most `starts`, best promise first).

@@ -71,17 +71,6 @@ std::vector<Change> likelyChanges(const NullModel& null) {
     return likely;
 }
 
-/// How far a parameter can step from its value: to the ends of its own range, and never to the other sign where it has
-/// but one.
-Range stepsOf(const std::vector<FitParameter>& parameters, const std::string& parameter, double value) {
-    Range after{-1e300, 1e300};
-    for (const FitParameter& p : parameters)
-        if (p.name == parameter) after = {p.min, p.max};
-    if (after.low >= 0) after.low = std::max(after.low, mostShrunk * value);
-    if (after.high <= 0) after.high = std::min(after.high, mostShrunk * value);
-    return {after.low - value, after.high - value};
-}
-
 /// How sharply a change is drawn, in one fit after the other [s].
 using Widths = std::vector<double>;
 
@@ -169,6 +158,15 @@ Variant changedInAll(const Change& change) {
 double explainedByChange(const NullModel& null) {
     const std::vector<Change> likely = likelyChanges(null);
     return likely.empty() ? 0 : likely.front().explained;
+}
+
+Range stepsOf(const std::vector<FitParameter>& parameters, const std::string& parameter, double value) {
+    Range after{-1e300, 1e300};
+    for (const FitParameter& p : parameters)
+        if (p.name == parameter) after = {p.min, p.max};
+    if (after.low >= 0) after.low = std::max(after.low, mostShrunk * value);
+    if (after.high <= 0) after.high = std::min(after.high, mostShrunk * value);
+    return {after.low - value, after.high - value};
 }
 
 std::optional<Change> bestChange(const NullModel& null, FitOptions options, int threads, const Progress& progress) {

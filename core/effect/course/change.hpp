@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/range.hpp"
 #include "core/effect/block/screen.hpp"
 
 namespace analogon {
@@ -20,6 +21,10 @@ struct Change {
     Variant variant;     // with the change, at the values of its fit
     FitResult fit;
 };
+
+/// How far a parameter can step from its value: to the ends of its own range, and never to the other sign, nor to next
+/// to nothing, where it has but one.
+Range stepsOf(const std::vector<FitParameter>& parameters, const std::string& parameter, double value);
 
 /// The best of the changes that are likely to first order, once each is fitted with all parameters of the model, its
 /// moment and its size. Empty: nothing to gain.

@@ -193,6 +193,10 @@ Disturbance::Metric Disturbance::likeliest(const Linearisation& model) const {
     return leastMisfit(residualAndJacobian(model));
 }
 
+bool isFallen(double before, double now) { return now < before - leastFall; }
+
+bool isFeltElsewhere(double left, double all) { return left > std::max(mostElsewhere, shareElsewhere * all); }
+
 std::map<std::string, double> Disturbance::leastMisfits(const Linearisation& model) const {
     const Eigen::MatrixXd both = residualAndJacobian(model);
     std::map<std::string, double> least;
@@ -223,8 +227,7 @@ std::vector<std::string> Disturbance::likeliestPlaces(const Linearisation& model
     std::set<std::string> flows;
     for (const FlowResponse& r : responses()) {
         if (r.isFlow) flows.insert(r.place);
-        if (!r.isFlow && leftElsewhere(model, r) > std::max(mostElsewhere, shareElsewhere * all))
-            ofPlace.erase(r.place);
+        if (!r.isFlow && isFeltElsewhere(leftElsewhere(model, r), all)) ofPlace.erase(r.place);
     }
     const auto best = std::min_element(ofPlace.begin(), ofPlace.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -316,7 +319,7 @@ public:
             disturbance_.emplace(here_, simulation_, progress_, places);
             disturbance_->settle(here_.fit.optimum.residuals, most_);
             metric_ = disturbance_->likeliest(here_.fit.optimum.residuals);
-            idle = metric_.misfit < least_.misfit - leastFall ? 0 : idle + 1;
+            idle = isFallen(least_.misfit, metric_.misfit) ? 0 : idle + 1;
             if (metric_.misfit < least_.misfit)
                 least_ = {metric_.misfit, disturbance_->independentShare(here_.fit.optimum.residuals, metric_)};
             if (!prepared_ || progress_.stopRequested()) break;
@@ -335,10 +338,10 @@ private:
         const double begin = metric_.misfit;
         double before = begin;
         for (int k = 0; k < stepsARound && !progress_.stopRequested() && goDown(); ++k) {
-            if (before - metric_.misfit < leastFall) break;
+            if (!isFallen(before, metric_.misfit)) break;
             before = metric_.misfit;
         }
-        return begin - metric_.misfit > leastFall;
+        return isFallen(begin, metric_.misfit);
     }
 
     /// First as the parameters and the metric would go together, then down the slope of the metric that holds here.

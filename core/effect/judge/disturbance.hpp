@@ -13,6 +13,13 @@ namespace analogon {
 
 using threshold::disturbance::mostDisturbances;
 
+/// Whether the misfit of a model beside a disturbance has fallen enough for another step, or another round of them.
+bool isFallen(double before, double now);
+
+/// Whether what the error of a sensor leaves on the other outputs (mean square, in units of the noise) is more than may
+/// be left beside it, of so much that is left in all: the disturbance is then none of that sensor.
+bool isFeltElsewhere(double left, double all);
+
 /// A flow that nobody measured and that no law governs (a draught, a load that varies) as part of a model's noise: a
 /// Gaussian process of its own variance and correlation time at one node, or the slow error of one sensor. The residual
 /// then has the covariance V = s^2 (I + q A C A'), A the responses to pieces of the flow and C their correlation;

@@ -56,6 +56,10 @@ bool isTold(const PlacedEffect& placed, const std::vector<FitEstimate>& estimate
     return isDistinct || (isClearlyMissed(missed) && isScaleOpen(placed, estimates));
 }
 
+bool isGoodPart(double chi2Decrease, const NullModel& null) { return chi2Decrease > goodPart * excess(null); }
+
+bool isBeyondDoubt(double evidence) { return evidence >= beyondDoubt; }
+
 bool outweighsRest(double chi2Decrease, const NullModel& null, double share) {
     return !(reducedChi(null.fit) > largeResidual) || chi2Decrease > share * excess(null);
 }

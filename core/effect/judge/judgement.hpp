@@ -55,7 +55,14 @@ bool isBorneOut(const BesideDisturbance& without, const BesideDisturbance& with,
 /// a flow that varies slowly).
 bool isLikelier(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int freed);
 
-/// Whether what the model loses without an effect (a decrease of chi-square) is a good part of what the model
+/// Whether a decrease of chi-square is a good part of what a model leaves above the noise: enough for a path of the
+/// search to begin with it unproved.
+bool isGoodPart(double chi2Decrease, const NullModel& null);
+
+/// Whether nothing that leaves noise with so much evidence [BIC] looks like the truth by chance.
+bool isBeyondDoubt(double evidence);
+
+/// Whether what the model loses without an effect (a decrease of chi-square) outweighs this share of what the model
 /// leaves above the noise: in the shadow of something large that has no name, many an effect passes for a part of it.
 bool outweighsRest(double chi2Decrease, const NullModel& null, double share);
 

@@ -180,15 +180,26 @@ bool anyLooksHeld(const EstimationTask& task) {
     return std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) { return looksHeld(task, input); });
 }
 
-std::optional<HeldReading> heldReading(const NullModel& onLines, const FitOptions& options, const Progress& progress) {
-    const EstimationTask& task = onLines.variant.task;
+std::vector<std::string> inputsToAsk(const EstimationTask& task) {
     std::size_t samples = 0;
     for (const Recording& r : task.recordings) samples += r.role == Role::Fit ? r.time.size() : 0;
+    if (samples > mostSamples) return {};
     std::vector<std::string> inputs = inputsOnLines(task);
     if (inputs.size() > mostInputs) inputs.resize(mostInputs);
+    return inputs;
+}
+
+bool isPromising(double promised, double onLines) { return promised < promising * onLines; }
+
+bool isBetterThanDelay(double held, double delayed, bool looksSo) {
+    return held < (looksSo ? likeHalf : betterThanHalf) * delayed;
+}
+
+std::optional<HeldReading> heldReading(const NullModel& onLines, const FitOptions& options, const Progress& progress) {
+    const EstimationTask& task = onLines.variant.task;
+    const std::vector<std::string> inputs = inputsToAsk(task);
     const bool isSettled = onLines.fit.optimum.ok && onLines.fit.optimum.jacobian.allFinite();
-    if (progress.stopRequested() || inputs.empty() || samples > mostSamples || !isSettled ||
-        !isMovedBySamples(onLines) || isNoise(onLines))
+    if (progress.stopRequested() || inputs.empty() || !isSettled || !isMovedBySamples(onLines) || isNoise(onLines))
         return std::nullopt;
 
     std::vector<std::vector<std::string>> groups;
@@ -205,7 +216,7 @@ std::optional<HeldReading> heldReading(const NullModel& onLines, const FitOption
     for (const std::vector<std::string>& group : groups) {
         const bool isShaped = std::find(shaped.begin(), shaped.end(), group.front()) != shaped.end();
         const Variant variant = readings.held(group);
-        if (!isShaped && !(readings.promised(variant) < promising * squares)) continue;
+        if (!isShaped && !isPromising(readings.promised(variant), squares)) continue;
         std::optional<FitResult> fit = readings.fitted(variant);
         const double least = best ? readings.squares(bestFit) / (group.size() > 1 ? 1.1 : 1.0) : muchLess * squares;
         if (!(readings.squares(fit) < least)) continue;
@@ -216,9 +227,9 @@ std::optional<HeldReading> heldReading(const NullModel& onLines, const FitOption
     const double left = readings.squares(bestFit);
     const bool isShaped = std::find(shaped.begin(), shaped.end(), best->front()) != shaped.end();
     const double asHalf = readings.squares(readings.fitted(readings.later(*best, 0.5)));
-    if (!(left < (isShaped ? likeHalf : betterThanHalf) * asHalf)) return std::nullopt;
+    if (!isBetterThanDelay(left, asHalf, isShaped)) return std::nullopt;
     if (!(left < readings.squares(readings.fitted(readings.later(*best, 1))))) return std::nullopt;
-    if (!(left < (isShaped ? likeHalf : betterThanHalf) * readings.squaresWithALateOutput())) return std::nullopt;
+    if (!isBetterThanDelay(left, readings.squaresWithALateOutput(), isShaped)) return std::nullopt;
     Variant held = readings.held(*best);
     held.values = valuesOf(*bestFit);
     const Outcome<ModelState> state = stateOf(held, *bestFit, options.simulation, progress, Detail::Errors);

@@ -15,6 +15,19 @@ bool looksHeld(const Eigen::VectorXd& column);
 /// Whether one of the inputs that are joined by straight lines does, in all fitted recordings.
 bool anyLooksHeld(const EstimationTask& task);
 
+/// The inputs on straight lines that are asked whether they are held: none of so long records that half a sample of
+/// them is next to nothing.
+std::vector<std::string> inputsToAsk(const EstimationTask& task);
+
+/// Whether holding an input whose shape does not tell promises enough to be fitted: by the squares that would be left
+/// at the parameters on lines, and those that the lines leave.
+bool isPromising(double promised, double onLines);
+
+/// Whether what inputs leave that are held, and what a delay of half a sample or one of an output leaves, speaks for
+/// the inputs (sums of squares, each fitted). `looksSo`: by the shape of the columns they are held; that may leave as
+/// much.
+bool isBetterThanDelay(double held, double delayed, bool looksSo);
+
 /// Inputs that are joined by straight lines, and are held by what the outputs say.
 struct HeldReading {
     std::vector<std::string> inputs;

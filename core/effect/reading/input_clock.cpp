@@ -71,13 +71,6 @@ std::vector<std::string> changingInputs(const EstimationTask& task, const std::v
     return names;
 }
 
-double longest(const EstimationTask& task) {
-    double most = std::numeric_limits<double>::infinity();
-    for (const Recording& r : task.recordings)
-        if (r.role == Role::Fit) most = std::min(most, mostOfRecording * (r.time.back() - r.time.front()));
-    return most;
-}
-
 /// The offsets of all inputs when these ones are late by so much.
 std::vector<InputClock> with(std::vector<InputClock> clocks, const std::vector<std::string>& inputs, double late) {
     std::erase_if(
@@ -123,13 +116,32 @@ std::vector<std::vector<std::string>> clockGroups(const EstimationTask& task, co
     return groups;
 }
 
+double latestOf(const EstimationTask& task) {
+    double latest = std::numeric_limits<double>::infinity();
+    for (const Recording& r : task.recordings)
+        if (r.role == Role::Fit) latest = std::min(latest, mostOfRecording * (r.time.back() - r.time.front()));
+    return latest;
+}
+
+OffsetsTried offsetsFrom(double first, double interval, double latest, const std::function<double(double)>& misfitAt) {
+    OffsetsTried tried{{0}, {first}, 0};
+    for (const double part : reach) {
+        if (!(part * interval < latest)) break;
+        if (static_cast<int>(tried.offsets.size() - 1 - tried.least) >= mostInVain) break;
+        tried.offsets.push_back(part * interval);
+        tried.misfits.push_back(misfitAt(tried.offsets.back()));
+        if (tried.misfits.back() < tried.misfits[tried.least]) tried.least = tried.offsets.size() - 1;
+    }
+    return tried;
+}
+
 std::vector<InputClock> likeliestClocks(const NullModel& null, const std::vector<Recording>& stamped,
                                         const std::vector<InputClock>& now,
                                         const std::vector<std::vector<std::string>>& groups,
                                         const SimulationOptions& simulation, const Progress& progress,
                                         std::size_t& group) {
     const EstimationTask& task = null.variant.task;
-    const double interval = samplingInterval(task), most = longest(task);
+    const double interval = samplingInterval(task), latest = latestOf(task);
     ClockModel model(null, stamped, simulation, progress);
     const double before = model.misfit(now);
     const double variance = null.sumOfSquares() / static_cast<double>(null.fit.optimum.residuals.size());
@@ -137,15 +149,7 @@ std::vector<InputClock> likeliestClocks(const NullModel& null, const std::vector
     double least = before;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         const auto misfitAt = [&](double late) { return model.misfit(with(now, groups[g], late)); };
-        std::vector<double> offsets{0};
-        std::vector<double> misfits{now.empty() ? before : misfitAt(0)};
-        std::size_t at = 0;
-        for (const double part : reach) {
-            if (!(part * interval < most) || static_cast<int>(offsets.size() - 1 - at) >= mostInVain) break;
-            offsets.push_back(part * interval);
-            misfits.push_back(misfitAt(offsets.back()));
-            if (misfits.back() < misfits[at]) at = offsets.size() - 1;
-        }
+        const auto [offsets, misfits, at] = offsetsFrom(now.empty() ? before : misfitAt(0), interval, latest, misfitAt);
         if (at == 0 && now.empty()) continue;
         const double low = offsets[at == 0 ? 0 : at - 1], high = offsets[std::min(at + 1, offsets.size() - 1)];
         if (!(low < high)) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,18 @@ void setClocks(std::vector<Recording>& recordings, const std::vector<Recording>&
 
 /// Inputs that may be late by as much: each that changes, and all of them together.
 std::vector<std::vector<std::string>> clockGroups(const EstimationTask& task, const std::vector<Recording>& stamped);
+
+/// How late a column may be at most: a part of the shortest recording that is fitted. [s]
+double latestOf(const EstimationTask& task);
+
+/// Offsets and what the model leaves with each, from none on.
+struct OffsetsTried {
+    std::vector<double> offsets, misfits;
+    std::size_t least{};  // index
+};
+/// Tries ever larger offsets, by parts of the sampling interval and none of `latest` or more, until they have only done
+/// worse for a while. `first`: what the model leaves without one.
+OffsetsTried offsetsFrom(double first, double interval, double latest, const std::function<double(double)>& misfitAt);
 
 /// How late the inputs of one of the groups are by what the outputs of a model say: of that which gains most, of
 /// several at once where they gain clearly more. `now`: what the model reckons with already. Least squares beside the

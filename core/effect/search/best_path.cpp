@@ -86,10 +86,9 @@ void keepBetter(SearchContext& search, Node& best, Node path, const NullModel& b
 void addUnprovenPaths(SearchContext& search, Node& best, const NullModel& base, const Round& first) {
     std::size_t tried = 0;
     for (const std::size_t begin : first.refused.failsHeldOut) {
-        const bool isEnough = tried == otherPaths || (tried > 0 && search.work.done > mostTrialWork);
-        if (search.progress.stopRequested() || isNoise(best.null) || isEnough) return;
+        if (search.progress.stopRequested() || isNoise(best.null) || isEnoughTried(tried, search.work.done)) return;
         const double chi2Decrease = base.sumOfSquares() - first.trials[begin].sumOfSquares();
-        if (!(chi2Decrease > goodPart * excess(base))) continue;
+        if (!isGoodPart(chi2Decrease, base)) continue;
         ++tried;
         Node path = pathFrom(search, base, first, begin);
         if (search.frontier.beginsAnew) return;
@@ -102,8 +101,7 @@ void addUnprovenPaths(SearchContext& search, Node& best, const NullModel& base, 
 void addPairPaths(SearchContext& search, Node& best, const NullModel& base, const Round& first,
                   const std::vector<Candidate>& taken) {
     constexpr std::size_t aPair = 2;
-    // far from an optimum no slopes tell of two effects
-    const bool isNear = reducedChi(best.null.fit) < mostForPairs || search.frontier.bestError < mostErrorForPairs;
+    const bool isNear = isNearEnoughForPairs(reducedChi(best.null.fit), search.frontier.bestError);
     if (isExplained(best, aPair) || !isNear || search.progress.stopRequested()) return;
     const Round wider = search.work.done > mostTrialWork ? first : withPairMembers(search, base, first);
     for (const std::size_t begin : pairBeginnings(base, wider, otherPaths, taken)) {
@@ -127,7 +125,7 @@ std::optional<Node> withLaw(SearchContext& search, Node begin) {
 /// Goes on from a path with a law; true where that is the better end. As many terms as there are names are no simpler,
 /// and were chosen from far more.
 bool addLawPath(SearchContext& search, Node& best, const NullModel& base, Node begin) {
-    if (!isNoise(best.null) && reducedChi(best.null.fit) < structuredResidual) return false;
+    if (!isNoise(best.null) && leavesLittle(best.null)) return false;
     std::optional<Node> path = withLaw(search, std::move(begin));
     if (search.frontier.beginsAnew || !path) return false;
     const bool isTaken = isBetter(search, *path, best) && !isOnlyOfForm(search, base, *path, best);
@@ -143,6 +141,16 @@ bool addLawPath(SearchContext& search, Node& best, const NullModel& base, Node b
 }
 
 }  // namespace
+
+bool isEnoughTried(std::size_t beginnings, double work) {
+    return beginnings >= otherPaths || (beginnings > 0 && work > mostTrialWork);
+}
+
+bool isNearEnoughForPairs(double reducedChi, double errorPercent) {
+    return reducedChi < mostForPairs || errorPercent < mostErrorForPairs;
+}
+
+bool leavesLittle(const NullModel& null) { return reducedChi(null.fit) < structuredResidual; }
 
 bool isExplained(const Node& path, std::size_t most) {
     return isNoise(path.null) && !hasProposal(path.null) && path.null.variant.effects.size() <= most;
@@ -175,10 +183,10 @@ Outcome<Node> bestPathFrom(SearchContext& search, NullModel& base) {
                    bareOf(search, base, first, phrase("an equation without a name explains more in its place")));
     if (search.frontier.beginsAnew || (isLawful && termsIn(search, best.null) < 2)) return best;
     const auto placeOf = [&](std::size_t trial) { return first.trials[trial].screened.candidate.place; };
-    for (const std::size_t other : others) {
-        const bool isEnough = other != others.front() && search.work.done > mostTrialWork;
-        const bool isDone = !isOdd && reducedChi(best.null.fit) < structuredResidual;
-        if (search.progress.stopRequested() || isDone || isEnough) break;
+    for (std::size_t tried = 0; tried < others.size(); ++tried) {
+        const bool isDone = !isOdd && leavesLittle(best.null);
+        if (search.progress.stopRequested() || isDone || isEnoughTried(tried, search.work.done)) break;
+        const std::size_t other = others[tried];
         // beside an effect that lacks a part and leaves noise it is what goes to the same place that it may stand for
         if (isNoise(best.null) && !isAtItsEnd && !(placeOf(other) == placeOf(*first.chosen))) continue;
         Node path = pathFrom(search, base, first, other);

@@ -45,7 +45,7 @@ void takeOutAll(const SearchContext& search, Node& node, const NullModel& base, 
 
 Conclusion conclude(SearchContext& search, Node& node, const NullModel& base, bool mayAddLaw) {
     const bool hasWeak = std::any_of(node.steps.begin(), node.steps.end(),
-                                     [](const Step& s) { return s.acceptance.evidence < beyondDoubt; });
+                                     [](const Step& s) { return !isBeyondDoubt(s.acceptance.evidence); });
     if (!isNoise(node.null) || hasWeak) removeUnneeded(search, node, 0, true);
     search.journal.model("conclude", node.null, "asked");
     if (onlyImitate(base, node))

@@ -27,6 +27,10 @@ bool isLongDeadTime(const PlacedEffect& placed, const FitResult& fit, double int
     return delay != nullptr && delay->value > mostSamplesOfDelay * interval;
 }
 
+bool mayBeIndicated(const PlacedEffect& placed) {
+    return placed.effect.proposal.empty() && placed.freed.size() <= mostFreed;
+}
+
 void tell(const Journal& journal, const std::string& step, const std::string& key, const Prediction& p,
           const std::string& verdict) {
     journal.add(step, key,
@@ -44,7 +48,7 @@ std::vector<Contender> contendersOf(const SearchContext& search, const NullModel
     std::vector<Contender> contenders;
     for (std::size_t i = 0; i < trials.size(); ++i) {
         const Trial& t = trials[i];
-        if (!t.ok || isProposal(t) || t.variant.effects.back().freed.size() > mostFreed || isAtBound(t) ||
+        if (!t.ok || isProposal(t) || !mayBeIndicated(t.variant.effects.back()) || isAtBound(t) ||
             fightsAnother(null, t.fit) || !(t.evidence > equivalenceMargin))
             continue;
         const Prediction prediction = predict(null, t.fit);

@@ -18,6 +18,9 @@ class SearchContext;
 /// storage as a rule, and what is stored smooths them, too.
 bool isLongDeadTime(const PlacedEffect& placed, const FitResult& fit, double interval);
 
+/// Whether an effect is a name that may be indicated: with few enough parameters not to follow any course by its shape.
+bool mayBeIndicated(const PlacedEffect& placed);
+
 /// A line of the journal on how much better a model predicts with an effect (`key`).
 void tell(const Journal& journal, const std::string& step, const std::string& key, const Prediction& prediction,
           const std::string& verdict);

@@ -87,7 +87,7 @@ bool isCourseAll(SearchContext& search, const NullModel& base, const NullModel& 
 }
 
 bool isCourseAlone(SearchContext& search, const NullModel& base, const Round& first) {
-    if (!first.chosen || !(excess(base) > beyondDoubt)) return false;
+    if (!first.chosen || !isBeyondDoubt(excess(base))) return false;
     const Trial& winner = first.trials[*first.chosen];
     if (isNoise(base.channels, winner.fit) || !(promisedByCourse(base) > leastOfRest * excess(base))) return false;
     return isCourseAll(search, base, base.with(winner.variant, winner.fit), beyondDoubt);

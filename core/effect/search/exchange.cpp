@@ -57,6 +57,12 @@ bool simplerFirst(const NullModel& null, double evidence, int freed, std::vector
 
 }  // namespace
 
+bool isExchanged(const RivalCase& rival) {
+    const bool isHardlyTold = rival.weight * rival.gain < equivalenceMargin || rival.isAtTheEndOfMuch;
+    return rival.isSimplerEqual || rival.isLikelierEqual ||
+           (rival.gain > leastGain && !(rival.likelier < 0 && isHardlyTold));
+}
+
 bool isLike(const Trial& trial, double evidence, double weight) {
     return trial.evidence > leastLike * evidence && weight * (evidence - trial.evidence) < equivalenceMargin;
 }
@@ -175,8 +181,8 @@ bool isBetterRival(const Contested& old, const Trial& best, double own, double w
     const bool leavesMuch = reducedChi(best.fit) > largeResidual;
     const bool isLikelierEqual = leavesMuch && likelier > 0 && best.freed() == old.freed() &&
                                  best.evidence > leastLike * own && -weight * gain < equivalenceMargin;
-    const bool isHardlyTold = weight * gain < equivalenceMargin || (leavesMuch && wanted == Rivals::New);
-    if (!isSimplerEqual && !isLikelierEqual && (!(gain > leastGain) || (likelier < 0 && isHardlyTold))) return false;
+    if (!isExchanged({gain, weight, likelier, isSimplerEqual, isLikelierEqual, leavesMuch && wanted == Rivals::New}))
+        return false;
     const double decrease = old.rest.sumOfSquares() - old.node.null.sumOfSquares(),
                  bestDecrease = old.rest.sumOfSquares() - best.sumOfSquares();
     return !(leavesMuch && best.freed() > old.freed() && decrease > nearlyAsMuch * bestDecrease);

@@ -10,6 +10,19 @@ namespace analogon {
 
 class SearchContext;
 
+/// What speaks for a rival in the place of an effect.
+struct RivalCase {
+    double gain{};            // evidence that the model gains [BIC]
+    double weight{1};         // part of the samples that are independent
+    int likelier{};           // by how much it is the likelier kind; negative: the less likely
+    bool isSimplerEqual{};    // it explains nearly as much with fewer parameters
+    bool isLikelierEqual{};   // it explains nearly as much, is likelier, and much is left beside either
+    bool isAtTheEndOfMuch{};  // much is left beside either, and the search is at its end
+};
+/// Whether it takes that place: exact twins do not, and what the data hardly tell apart is not exchanged for the less
+/// likely.
+bool isExchanged(const RivalCase& rival);
+
 enum class Rivals { Known, New };  // of its round; what goes to its place or is the same fault of another signal
 
 /// Whether a trial explains no less than so much evidence as far as the data tell, a part (`weight`) of whose samples

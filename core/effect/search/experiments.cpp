@@ -5,7 +5,6 @@
 #include "core/effect/search/context.hpp"
 #include "core/effect/search/trials.hpp"
 #include "core/effect/search/without.hpp"
-#include "core/effect/tell/next_experiment.hpp"
 #include "core/effect/thresholds.hpp"
 
 namespace analogon {
@@ -17,6 +16,20 @@ namespace {
 constexpr int mostExperiments = 2;  // that are proposed
 
 }  // namespace
+
+Text whatItTells(const ProposedExperiment& next, const Text& names) {
+    constexpr double most = 100;
+    if (next.separation * next.separation < clearSeparation)
+        return phrase(
+            "no programme of the inputs within their range tells {} with these sensors (at most {:.1f} standard "
+            "deviations): another quantity has to be measured",
+            names, next.separation);
+    if (next.separation > most)
+        return phrase("{}, the other inputs at their means, would tell {} by more than {:.0f} standard deviations",
+                      next.programme, names, most);
+    return phrase("{}, the other inputs at their means, would tell {} by {:.0f} standard deviations", next.programme,
+                  names, next.separation);
+}
 
 Text proposeExperiments(SearchContext& search, const Node& node) {
     Text text;
@@ -46,18 +59,7 @@ Text proposeExperiments(SearchContext& search, const Node& node) {
                            next->programme);
         ++count;
         if (!text.empty()) text += ". ";
-        constexpr double most = 100;
-        text +=
-            next->separation * next->separation < clearSeparation
-                ? phrase(
-                      "no programme of the inputs within their range tells {} with these sensors (at most "
-                      "{:.1f} standard deviations): another quantity has to be measured",
-                      names, next->separation)
-            : next->separation > most
-                ? phrase("{}, the other inputs at their means, would tell {} by more than {:.0f} standard deviations",
-                         next->programme, names, most)
-                : phrase("{}, the other inputs at their means, would tell {} by {:.0f} standard deviations",
-                         next->programme, names, next->separation);
+        text += whatItTells(*next, names);
     }
     return text;
 }

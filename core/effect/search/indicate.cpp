@@ -18,8 +18,6 @@
 
 namespace analogon {
 
-using threshold::prediction::mostFreed;
-
 namespace {
 
 /// How the model predicts without one of its effects, and with all.
@@ -128,7 +126,7 @@ std::optional<Node> namesOf(SearchContext& search, const Node& node, const Node&
         const bool isThere = std::any_of(effects.begin(), effects.end(), [&](const PlacedEffect& have) {
             return keyOf(have.effect, have.place) == keyOf(e.effect, e.place);
         });
-        if (isThere || !e.effect.proposal.empty() || e.freed.size() > mostFreed) continue;
+        if (isThere || !mayBeIndicated(e)) continue;
         effects.push_back(e);
         names.steps.push_back(end.steps[i]);
         names.steps.back().prediction.emplace();

@@ -117,13 +117,18 @@ void crossOver(SearchContext& search, Node& node) {
     }
 }
 
-Round withPairMembers(SearchContext& search, const NullModel& null, Round round) {
+std::vector<const Screened*> worthPairing(const std::vector<Screened>& screened) {
     std::vector<const Screened*> named;
-    for (const Screened& s : round.screened)
+    for (const Screened& s : screened)
         if (s.failure.empty() && s.score() > 0 && s.candidate.effect.proposal.empty()) named.push_back(&s);
     std::stable_sort(named.begin(), named.end(),
                      [](const Screened* a, const Screened* b) { return a->score() > b->score(); });
     if (named.size() > mostScreened) named.resize(mostScreened);
+    return named;
+}
+
+Round withPairMembers(SearchContext& search, const NullModel& null, Round round) {
+    const std::vector<const Screened*> named = worthPairing(round.screened);
     std::vector<const Screened*> members;
     const auto add = [&](const Screened* s) {
         const auto isIt = [&](const Trial& t) { return isSame(t.screened.candidate, s->candidate); };
@@ -151,7 +156,7 @@ std::optional<Round> chosenTogether(SearchContext& search, const Node& node, Rou
     std::vector<std::size_t> begins;
     for (const std::size_t i : round.refused.tooFaint) {
         const double chi2Decrease = null.sumOfSquares() - round.trials[i].sumOfSquares();
-        if (begins.size() < otherPaths && chi2Decrease > goodPart * excess(null)) begins.push_back(i);
+        if (begins.size() < otherPaths && isGoodPart(chi2Decrease, null)) begins.push_back(i);
     }
     if (begins.empty() || isNoise(null) || isColouredNoise(search, null)) return std::nullopt;
     for (const std::size_t begin : begins) {

@@ -19,6 +19,9 @@ using threshold::pairs::mostForPairs;
 /// it.
 void crossOver(SearchContext& search, Node& node);
 
+/// Of the candidates of a round those by names that are worth pairing, best first.
+std::vector<const Screened*> worthPairing(const std::vector<Screened>& screened);
+
 /// The same round with trials of those that explain most together with another: the best alone may have left them no
 /// place among what was tried.
 Round withPairMembers(SearchContext& search, const NullModel& null, Round round);

@@ -73,7 +73,7 @@ Need needOf(const SearchContext& search, const NullModel& null, std::size_t effe
         return {
             phrase("with it a parameter of the model rests at a bound: it does the work of what is known to be there")};
     if (!(missed.heldOut > leastHeldOut)) return {whyRefused(missed, leastHeldOut)};
-    if (leavesNoise && !(missed.evidence < beyondDoubt)) return {};
+    if (leavesNoise && isBeyondDoubt(missed.evidence)) return {};
     // what is constant hardly differs from a flow that varies slowly, and noise with a memory is noise as well
     const bool isNoiseLeft = leavesNoise || isColouredNoise(search, null);
     const std::size_t most = isNoiseLeft ? 1 : mostDisturbances;

@@ -76,7 +76,7 @@ bool allowForRecordings(SearchContext& search, NullModel& null, const Round& rou
         values = std::move(begun->values);
     }
     const Outcome<std::vector<ToldStart>> told = toldStarts(null.variant.task);
-    if (!begun && told && told->size() <= mostToldStarts)
+    if (!begun && told && canTry(*told))
         for (const ToldStart& start : *told) {
             search.say("reconsider", start.parameter, -1);
             Variant variant = null.variant;

@@ -11,12 +11,14 @@ namespace analogon {
 
 using namespace threshold::refine;
 
+bool isBetterSharp(double before, double sharper) { return before - sharper > leastSharpening; }
+
 void sharpen(SearchContext& search, Node& node) {
     for (int pass = 0; pass < mostSharpenings && !search.progress.stopRequested(); ++pass) {
         std::vector<PlacedEffect> effects = node.null.variant.effects;
         if (!drawSharper(effects.back())) return;
         std::optional<NullModel> sharper = refittedWith(search, node.null, effects);
-        if (!sharper || !(node.null.sumOfSquares() - sharper->sumOfSquares() > leastSharpening)) return;
+        if (!sharper || !isBetterSharp(node.null.sumOfSquares(), sharper->sumOfSquares())) return;
         if (sharper->fit.takesDifferences) return;  // too sharp for the steps: nothing could be screened beside it
         search.journal.model("sharpen", *sharper, "drawn sharper");
         node.null = std::move(*sharper);

@@ -7,6 +7,9 @@ namespace analogon {
 
 class SearchContext;
 
+/// Whether the data ask for a form that is drawn sharper: by the sums of squares with the form as it was, and sharper.
+bool isBetterSharp(double before, double sharper);
+
 /// What the newest effect rounds off for the sake of the integration (the change of sign of a friction, the corner of a
 /// limit) is drawn sharper as long as the data ask for it: the rest would pass for an effect of its own.
 void sharpen(SearchContext& search, Node& node);

@@ -58,10 +58,16 @@ bool isNeeded(const SearchContext& search, const ToldStart& start, const NullMod
 
 }  // namespace
 
+bool canTry(const std::vector<ToldStart>& starts) { return starts.size() <= mostToldStarts; }
+
+bool isElsewhere(const ToldStart& start, const FitEstimate* fitted) {
+    return fitted != nullptr && std::abs(fitted->value - start.value) > leastMoved * fitted->standardError;
+}
+
 std::optional<Begun> findBeginning(const SearchContext& search, const NullModel& null, Against against,
                                    double threshold) {
     std::vector<ToldStart> starts = startsBegunElsewhere(null, against);
-    if (starts.size() > mostToldStarts) return std::nullopt;
+    if (!canTry(starts)) return std::nullopt;
     while (!starts.empty()) {
         search.say("reconsider", starts.front().parameter, -1);
         Variant variant = null.variant;
@@ -76,8 +82,7 @@ std::optional<Begun> findBeginning(const SearchContext& search, const NullModel&
         }
         if (!with) return std::nullopt;
         const auto isLikeTold = [&](const ToldStart& start) {
-            const FitEstimate* e = with->fit.find(start.parameter, start.experiment);
-            return e == nullptr || !(std::abs(e->value - start.value) > leastMoved * e->standardError);
+            return !isElsewhere(start, with->fit.find(start.parameter, start.experiment));
         };
         if (std::erase_if(starts, isLikeTold) > 0) continue;
         if (!with->gain.isSignificant || !with->gain.isWorthwhile) return std::nullopt;

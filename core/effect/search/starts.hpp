@@ -5,14 +5,17 @@
 
 #include "core/effect/model/evidence.hpp"
 #include "core/effect/reading/start_value.hpp"
-#include "core/effect/thresholds.hpp"
 
 /// Recordings that begin elsewhere than the model.
 namespace analogon {
 
 class SearchContext;
 
-using threshold::startValue::mostToldStarts;
+/// Whether so many start values can be tried.
+bool canTry(const std::vector<ToldStart>& starts);
+
+/// Whether a state begins elsewhere than it was told to, by its fit; nothing: it was not fitted.
+bool isElsewhere(const ToldStart& start, const FitEstimate* fitted);
 
 /// Start values of records that begin elsewhere than the model, and what they explain.
 struct Begun {

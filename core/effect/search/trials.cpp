@@ -221,18 +221,21 @@ Acceptance examine(const SearchContext& search, const NullModel& null, const Tri
     return examine(null, whole, trial.freed(), threshold);
 }
 
+void continueFit(Trial& trial, const std::function<void(Trial&)>& step) {
+    for (int k = 0; k < mostContinued && trial.ok && trial.fit.status == FitStatus::IterationLimit; ++k) {
+        const double before = trial.sumOfSquares();
+        step(trial);
+        if (!(before - trial.sumOfSquares() > equivalenceMargin)) break;
+    }
+}
+
 void continueBest(const SearchContext& search, const NullModel& null, std::vector<Trial>& trials) {
     rank(null, trials);
     FitOptions options = trialOptions(search.fit, 2 * trialIterations);
     options.simulation = limited(null, options.simulation);
     const int count = std::min<int>(search.options.refitted, static_cast<int>(trials.size()));
     parallelFor(count, search.options.threads, [&](int i) {
-        Trial& t = trials[static_cast<std::size_t>(i)];
-        for (int k = 0; k < mostContinued && t.ok && t.fit.status == FitStatus::IterationLimit; ++k) {
-            const double before = t.sumOfSquares();
-            proceed(null, t, options, search.progress);
-            if (!(before - t.sumOfSquares() > equivalenceMargin)) break;
-        }
+        continueFit(trials[static_cast<std::size_t>(i)], [&](Trial& t) { proceed(null, t, options, search.progress); });
     });
 }
 

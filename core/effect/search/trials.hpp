@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/effect/block/trial.hpp"
@@ -28,6 +29,10 @@ std::vector<Trial> tryThese(SearchContext& search, const NullModel& null, const 
 
 /// The tests that a trial must pass; one that was kept lean is simulated once more.
 Acceptance examine(const SearchContext& search, const NullModel& null, const Trial& trial, double threshold);
+
+/// Goes on with the fit of a trial that has not converged, by one `step` after the other, as long as each still tells
+/// more, and so many times at most.
+void continueFit(Trial& trial, const std::function<void(Trial&)>& step);
 
 /// Takes the trials that a short fit brought to the front further.
 void continueBest(const SearchContext& search, const NullModel& null, std::vector<Trial>& trials);

@@ -20,7 +20,8 @@ TEST(Thresholds, HaveAUnitAMeaningAndAnOrigin) {
     for (const ThresholdRow& row : thresholds()) {
         EXPECT_TRUE(names.emplace(row.group, row.name).second) << row.group << "." << row.name << " stands twice";
         EXPECT_TRUE(std::isfinite(row.value)) << row.name;
-        EXPECT_FALSE(row.unit.empty() || row.meaning.empty() || row.origin.empty()) << row.group << "." << row.name;
+        EXPECT_FALSE(row.unit.empty() || row.meaning.empty() || row.origin.empty() || row.guard.empty())
+            << row.group << "." << row.name;
     }
     EXPECT_GT(names.size(), 100u);
 }
@@ -54,8 +55,8 @@ TEST(Thresholds, AreGuardedByTestsThatExist) {
         sources.append(std::istreambuf_iterator<char>(source), {});
     }
     for (const ThresholdRow& row : thresholds()) {
-        if (row.guard.empty()) continue;
         const std::size_t dot = row.guard.find('.');
+        ASSERT_NE(dot, std::string::npos) << row.group << "." << row.name;
         const std::string test =
             std::string(row.guard.substr(0, dot)) + ", " + std::string(row.guard.substr(dot + 1)) + ")";
         EXPECT_NE(sources.find("(" + test), std::string::npos) << row.group << "." << row.name << ": " << row.guard;

@@ -102,5 +102,13 @@ TEST(Screen, OfAPlaceThatIsNotThereSaysWhy) {
     EXPECT_TRUE(screened.probes.empty());
 }
 
+TEST(IsAnotherCourse, ByAFiftiethOfATurnOrOfTheShortestWave) {
+    EXPECT_TRUE(isAnotherCourse(0.021, 1, 1));
+    EXPECT_FALSE(isAnotherCourse(0.019, 1, 1));
+    EXPECT_TRUE(isAnotherCourse(0.007, 3, 1)) << "of three waves a turn each is a third as long";
+    EXPECT_FALSE(isAnotherCourse(0.021, 1, 2));
+    EXPECT_FALSE(isAnotherCourse(0, 1, 0));
+}
+
 }  // namespace
 }  // namespace analogon

@@ -81,5 +81,13 @@ TEST(TrialOptions, EndATrialWhereAMillionthOfTheMisfitIsLeftToGain) {
     EXPECT_EQ(options.costTolerance, 1e-6);
 }
 
+TEST(IsWeighed, AreEightStartsAndBeyondFourNoneWhoseTraceExplainsFarLess) {
+    EXPECT_TRUE(isWeighed(7, 0.3, 1));
+    EXPECT_FALSE(isWeighed(8, 1, 1));
+    EXPECT_TRUE(isWeighed(4, 0.21, 1));
+    EXPECT_FALSE(isWeighed(4, 0.19, 1));
+    EXPECT_TRUE(isWeighed(3, 0.01, 1));
+}
+
 }  // namespace
 }  // namespace analogon

@@ -163,5 +163,13 @@ TEST(Change, TellsNothingOfChecksThatWereNotSimulatedToTheirEnd) {
     EXPECT_TRUE(!errors || errors->checks.empty());
 }
 
+TEST(StepsOf, ReachTheEndsOfTheRangeButNeverNextToNothing) {
+    const std::vector<FitParameter> parameters{{"R", "Ohm", 2, 0, 10}, {"k", "1", -2, -10, 0}, {"b", "1", 2, -10, 10}};
+    EXPECT_NEAR(stepsOf(parameters, "R", 2).low, 0.05 * 2 - 2, 1e-12);
+    EXPECT_NEAR(stepsOf(parameters, "R", 2).high, 8, 1e-12);
+    EXPECT_NEAR(stepsOf(parameters, "k", -2).high, 2 - 0.05 * 2, 1e-12);
+    EXPECT_NEAR(stepsOf(parameters, "b", 2).low, -12, 1e-12);
+}
+
 }  // namespace
 }  // namespace analogon

@@ -136,14 +136,14 @@ TEST(Caution, TellsWhereASensorStuck) {
 }
 
 /// Two recordings of y = p*x with p = 2 in the first; what p is in the second is the test's.
-NullModel proportional(double inSecond) {
+NullModel proportional(double inSecond, double range = 10) {
     NullModel null;
     null.variant.task.recordings = {recording("cold", Role::Fit, 0, 1), recording("warm", Role::Fit, 0, 1)};
     constexpr int rows = 200;
     Eigen::MatrixXd jacobian(2 * rows, 1);
     Eigen::VectorXd measured(2 * rows);
     for (int i = 0; i < 2 * rows; ++i) {
-        jacobian(i, 0) = 10 * std::sin(0.05 * i);
+        jacobian(i, 0) = range * std::sin(0.05 * i);
         measured[i] = (i < rows ? 2.0 : inSecond) * jacobian(i, 0) + (i % 2 ? 1.0 : -1.0);
     }
     const double p = jacobian.col(0).dot(measured) / jacobian.col(0).squaredNorm();
@@ -176,6 +176,11 @@ TEST(Caution, NamesAParameterThatIsAnotherOneInOneRecording) {
         values.push_back(std::stod(said.front().english().substr(at + 6)));
     EXPECT_THAT(values,
                 ::testing::UnorderedElementsAre(::testing::DoubleNear(2.6, 0.01), ::testing::DoubleNear(2.0, 0.01)));
+}
+
+TEST(Caution, NamesNoOtherValueThatDiffersByLessThanAThousandth) {
+    EXPECT_THAT(driftBetweenRecordings(proportional(2.0026, 1e4)), ::testing::SizeIs(1));
+    EXPECT_THAT(driftBetweenRecordings(proportional(2.0014, 1e4)), IsEmpty()) << "however exactly it is known";
 }
 
 TEST(Caution, NamesNoOtherValueWhereTheDataDetermineNone) {
@@ -228,6 +233,16 @@ TEST(Caution, TakesLouderNoiseAndUncertainParametersForNoise) {
     ModelState state = validated([](double y, double e) { return y + 0.25 + e; });
     state.experiments.front().outputs.front().deviation = Eigen::VectorXd::Constant(500, 0.2);
     EXPECT_THAT(poorValidations(state), IsEmpty());
+}
+
+TEST(Caution, TakesForNoiseWhatIsFiveTimesWhatTheParametersLeaveOpen) {
+    const auto said = [](double deviation) {
+        ModelState state = validated([](double y, double e) { return y + 0.25 + e; });
+        state.experiments.front().outputs.front().deviation = Eigen::VectorXd::Constant(500, deviation);
+        return poorValidations(state).size();
+    };
+    EXPECT_EQ(said(0.03), 1u) << "an offset of eight deviations";
+    EXPECT_EQ(said(0.06), 0u) << "of four";
 }
 
 TEST(Caution, SaysWhenADeadTimeIsShorterThanTheSampling) {

@@ -302,5 +302,53 @@ TEST_F(BodyInADraught, IsLikeliestNearTheTruthWhereverTheFitHasEnded) {
     }
 }
 
+TEST(IsFallen, IsWhatIsWorthAnotherStep) {
+    EXPECT_TRUE(isFallen(100, 97.9));
+    EXPECT_FALSE(isFallen(100, 98.1));
+}
+
+TEST(IsFeltElsewhere, ByWhatIsLeftOnTheOtherOutputsAgainstAll) {
+    EXPECT_TRUE(isFeltElsewhere(2.1, 10));
+    EXPECT_FALSE(isFeltElsewhere(1.9, 10));
+    EXPECT_TRUE(isFeltElsewhere(21, 1000));
+    EXPECT_FALSE(isFeltElsewhere(19, 1000)) << "a fiftieth of all may be left";
+}
+
+/// Sensors, each with a slow error of its own.
+class SensorsThatWander : public OneNode {
+protected:
+    static Eigen::MatrixXd hats() {
+        Eigen::MatrixXd columns(rows, pieces + 1);
+        for (int j = 0; j <= pieces; ++j)
+            for (int k = 0; k < rows; ++k)
+                columns(k, j) = std::max(0.0, 1 - std::abs(1.0 * k * pieces / (rows - 1) - j));
+        return columns;
+    }
+
+    std::size_t settledOf(int sensors) {
+        const Eigen::MatrixXd felt = hats();
+        std::vector<ResidualChannel> channels;
+        std::vector<FlowResponse> responses;
+        Eigen::VectorXd residuals(sensors * rows);
+        for (int i = 0; i < sensors; ++i) {
+            ResidualChannel c = channel();
+            c.output = i;
+            c.begin = i * rows;
+            c.end = c.begin + rows;
+            channels.push_back(c);
+            responses.push_back({"output y" + std::to_string(i), false, {{0, i * rows, felt}}});
+            residuals.segment(c.begin, rows) = noise() + 5 * wandering();
+        }
+        Disturbance disturbance(channels, responses, pieces);
+        disturbance.settle(residuals);
+        return disturbance.settledPlaces().size();
+    }
+};
+
+TEST_F(SensorsThatWander, AreSettledUpToThreeWithTheOneThatIsSought) {
+    EXPECT_EQ(settledOf(2), 1u);
+    EXPECT_EQ(settledOf(5), 2u);
+}
+
 }  // namespace
 }  // namespace analogon

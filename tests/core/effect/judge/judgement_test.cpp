@@ -187,5 +187,17 @@ TEST(FightsAnother, IsWhatMakesAnEffectGrowFivefold) {
     EXPECT_FALSE(fightsAnother(null, with));
 }
 
+TEST(IsGoodPart, IsThreeTenthsOfWhatIsLeftAboveTheNoise) {
+    NullModel null;
+    null.fit.optimum.residuals = Eigen::VectorXd::Constant(100, 2);  // 300 above the noise
+    EXPECT_TRUE(isGoodPart(91, null));
+    EXPECT_FALSE(isGoodPart(89, null));
+}
+
+TEST(IsBeyondDoubt, IsWhatNothingElseLooksLikeByChance) {
+    EXPECT_TRUE(isBeyondDoubt(1001));
+    EXPECT_FALSE(isBeyondDoubt(999));
+}
+
 }  // namespace
 }  // namespace analogon

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/effect/model/model_state.hpp"
+#include "tests/core/effect/hand_made.hpp"
 #include "tests/core/effect/warm_body.hpp"
 
 namespace analogon {
@@ -209,6 +210,71 @@ TEST(FaultySamples, OfARecordingThatIsNotFittedMayLastToItsEnd) {
     resting.inputs.setZero();
     for (int k = 50; k < samples; ++k) resting.outputs(0, k) = resting.outputs(0, k < 230 ? k % 50 : 29);
     EXPECT_TRUE(faultsBeside(resting).remarks.empty()) << "the model rests as well";
+}
+
+/// A body of which so much was measured beyond what the model says, in noise of 1; its heater does so much.
+std::vector<FaultySamples> faultsBeyond(const Eigen::VectorXd& beyond, const Eigen::VectorXd& measured,
+                                        const Eigen::VectorXd& power) {
+    NullModel null = modelThatLeaves(-beyond, Eigen::MatrixXd(beyond.size(), 0));
+    Recording r = null.variant.task.recordings.front();
+    null.variant.task = warmBody({});
+    r.inputNames = {"P"};
+    r.inputs = power.transpose();
+    r.outputNames = {"T"};
+    r.outputs = measured.transpose();
+    null.variant.task.recordings = {r};
+    null.channels.front().measured = measured;
+    return faultySamples(null);
+}
+
+/// A model that begins at rest where so much is measured, and catches up by this factor from one sample to the next.
+int samplesOfStart(double lacks, double factor) {
+    Eigen::VectorXd beyond = whiteNoise(samples);
+    for (int k = 0; k < 30; ++k) beyond[k] = lacks * std::pow(factor, k) + 0.1 * beyond[k];
+    const std::vector<FaultySamples> found =
+        faultsBeyond(beyond, 500 + whiteNoise(samples, 7).array(), Eigen::VectorXd::Zero(samples));
+    return found.empty() ? 0 : found.front().end;
+}
+
+TEST(FaultySamples, AreTheFirstOnesUntilAFastStateHasCaughtUp) {
+    EXPECT_EQ(samplesOfStart(100, 0.4), 4);
+    EXPECT_EQ(samplesOfStart(300, 0.48), 0) << "that takes too long for a start alone";
+    EXPECT_EQ(samplesOfStart(30, 0.6), 0) << "nor does a fast state lack so much of it a sample later";
+}
+
+TEST(FaultySamples, AreMoreThanStepsOfAConverter) {
+    const auto faultsOf = [](double height) {
+        Eigen::VectorXd measured = Eigen::VectorXd::Constant(samples, 10);
+        for (int k = 5; k < samples; k += 20) measured[k] = 11;  // it reads whole numbers
+        measured[128] += height;
+        const Eigen::VectorXd beyond = measured.array() - 10 + 0.05 * whiteNoise(samples).array();
+        return samplesOf(faultsBeyond(beyond, measured, Eigen::VectorXd::Zero(samples)));
+    };
+    EXPECT_EQ(faultsOf(3), std::vector<int>{});
+    EXPECT_EQ(faultsOf(6), std::vector<int>{128});
+}
+
+TEST(FaultySamples, AreNoneBehindAJumpOfMoreThanAHundredthOfTheRange) {
+    const auto faultsOf = [](double jump) {
+        Eigen::VectorXd beyond = whiteNoise(samples), power = Eigen::VectorXd::Zero(samples);
+        beyond[128] += 30;
+        power.tail(50).setConstant(100);
+        power.segment(127, 60).setConstant(jump);
+        return faultsBeyond(beyond, beyond, power).size();
+    };
+    EXPECT_EQ(faultsOf(0.6), 1u);
+    EXPECT_EQ(faultsOf(1.5), 0u);
+}
+
+TEST(FaultySamples, AreNoneWhereTheNoiseHasLongTails) {
+    const auto faultsOf = [](int halfAsClear) {
+        Eigen::VectorXd beyond = whiteNoise(samples);
+        for (const int k : {40, 250}) beyond[k] += 30;
+        for (int i = 0; i < halfAsClear; ++i) beyond[70 + 30 * i] = 7;
+        return faultsBeyond(beyond, beyond, Eigen::VectorXd::Zero(samples)).size();
+    };
+    EXPECT_EQ(faultsOf(1), 2u);
+    EXPECT_EQ(faultsOf(4), 0u) << "twice as many that are half as clear";
 }
 
 }  // namespace

@@ -187,5 +187,35 @@ TEST(HeldRemarks, SayWhatToWriteIntoTheStudy) {
     EXPECT_THAT(heldRemarks(task, {{"P"}, 0.5, false}, 12.25, true)[0].english(), HasSubstr("is with it held"));
 }
 
+TEST(InputsToAsk, AreSixAtMostAndNoneOfVeryLongRecords) {
+    const auto asked = [](int inputs, std::size_t samples) {
+        EstimationTask task;
+        std::vector<std::string> names;
+        for (int i = 0; i < inputs; ++i) names.push_back("u" + std::to_string(i));
+        Recording r = blankRecording("run", names, {"T"}, 2);
+        r.inputs.col(0).setZero();
+        r.inputs.col(1).setOnes();
+        r.time.resize(samples);
+        task.recordings = {r};
+        return inputsToAsk(task).size();
+    };
+    EXPECT_EQ(asked(5, 2), 5u);
+    EXPECT_EQ(asked(9, 2), 6u);
+    EXPECT_EQ(asked(5, 200'000), 5u);
+    EXPECT_EQ(asked(5, 200'001), 0u) << "half a sample of so many is next to nothing";
+}
+
+TEST(IsPromising, IsWhatWouldTakeAwayThreeTenths) {
+    EXPECT_TRUE(isPromising(0.69, 1));
+    EXPECT_FALSE(isPromising(0.71, 1));
+}
+
+TEST(IsBetterThanDelay, AsksLessWhereTheShapeOfTheColumnTells) {
+    EXPECT_TRUE(isBetterThanDelay(1.04, 1, true));
+    EXPECT_FALSE(isBetterThanDelay(1.06, 1, true));
+    EXPECT_TRUE(isBetterThanDelay(0.89, 1, false));
+    EXPECT_FALSE(isBetterThanDelay(0.91, 1, false));
+}
+
 }  // namespace
 }  // namespace analogon

@@ -119,5 +119,42 @@ TEST(ClockGroups, AreEachInputThatChangesAndAllTogether) {
     EXPECT_EQ(clockGroups(task, task.recordings), (std::vector<std::vector<std::string>>{{"P"}, {"Q"}, {"P", "Q"}}));
 }
 
+TEST(ClockGroups, AreSixInputsOneByOneAndAllThatChange) {
+    EstimationTask task;
+    std::vector<std::string> names;
+    for (int i = 0; i < 9; ++i) names.push_back("u" + std::to_string(i));
+    Recording r = blankRecording("run", names, {"T"}, 2);
+    r.time = {0, 1};
+    r.inputs.col(0).setZero();
+    r.inputs.col(1).setOnes();
+    r.inputs(8, 1) = 0;
+    task.recordings = {r};
+    const std::vector<std::vector<std::string>> groups = clockGroups(task, task.recordings);
+    ASSERT_EQ(groups.size(), 7u);
+    EXPECT_EQ(groups[5], std::vector<std::string>{"u5"});
+    EXPECT_EQ(groups[6].size(), 8u) << "the ninth stands still";
+}
+
+TEST(LatestOf, IsATwentiethOfTheShortestFittedRecording) {
+    EstimationTask task;
+    Recording one = blankRecording("one", {"u"}, {"T"}, 2), two = one, check = one;
+    one.time = {10, 110};
+    two.time = {0, 300};
+    check.time = {0, 20};
+    check.role = Role::Validate;
+    task.recordings = {one, two, check};
+    EXPECT_NEAR(latestOf(task), 5, 1e-12);
+}
+
+TEST(OffsetsFrom, EndBehindTwoThatDoWorse) {
+    EXPECT_EQ(offsetsFrom(10, 1, 100, [](double late) { return 10 + late; }).offsets,
+              (std::vector<double>{0, 0.25, 0.5}));
+    const OffsetsTried tried = offsetsFrom(10, 1, 100, [](double late) { return std::abs(late - 1.5); });
+    EXPECT_EQ(tried.offsets, (std::vector<double>{0, 0.25, 0.5, 1, 1.5, 2, 3}));
+    EXPECT_EQ(tried.offsets[tried.least], 1.5);
+    EXPECT_EQ(offsetsFrom(10, 1, 1, [](double late) { return -late; }).offsets, (std::vector<double>{0, 0.25, 0.5}))
+        << "no column is as late as that";
+}
+
 }  // namespace
 }  // namespace analogon

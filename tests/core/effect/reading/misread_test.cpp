@@ -92,5 +92,23 @@ TEST(LeavesAsLittle, IsWhatTheDataDoNotTellFromTheBest) {
     EXPECT_FALSE(leavesAsLittle(modelThatMisses(0.5), best)) << "50";
 }
 
+TEST(ExplainsAll, IsThreeTimesWhatStaysUnexplained) {
+    constexpr int samples = 400;
+    const Eigen::VectorXd wave = sineWave(samples, 5);
+    Eigen::VectorXd noise = 1.3 * whiteNoise(samples);  // of a sensor louder than it was told
+    noise -= wave * (wave.dot(noise) / wave.squaredNorm());
+    const double unexplained = noise.squaredNorm() - samples;
+    const Eigen::MatrixXd columns = sineWave(samples, 40);
+    const auto isAll = [&](double times) {
+        const double amplitude = std::sqrt(times * unexplained / (samples / 2));
+        const NullModel null = modelThatLeaves(noise + amplitude * wave, columns);
+        const double explained = null.sumOfSquares() - noise.squaredNorm();
+        EXPECT_NEAR(explained / unexplained, times, 1e-6);
+        return explainsAll(null, modelThatLeaves(noise, columns).fit);
+    };
+    EXPECT_FALSE(isAll(2.7));
+    EXPECT_TRUE(isAll(3.3));
+}
+
 }  // namespace
 }  // namespace analogon

@@ -58,5 +58,16 @@ TEST_F(Contenders, FallWithTheirLike) {
     EXPECT_EQ(all[0].trial, trialOf("sensor.delay"));
 }
 
+TEST(MayBeIndicated, IsANameOfNoMoreThanTwoParameters) {
+    PlacedEffect placed;
+    placed.freed.resize(2);
+    EXPECT_TRUE(mayBeIndicated(placed));
+    placed.effect.proposal = "y = u";
+    EXPECT_FALSE(mayBeIndicated(placed));
+    placed.effect.proposal.clear();
+    placed.freed.resize(3);
+    EXPECT_FALSE(mayBeIndicated(placed)) << "it follows any course by its shape";
+}
+
 }  // namespace
 }  // namespace analogon

@@ -83,5 +83,20 @@ TEST(Unite, LeavesAloneWhatLacksNoPart) {
     EXPECT_EQ(node.null.sumOfSquares(), before);
 }
 
+TEST(IsExchanged, IsWhatExplainsMoreUnlessItIsTheLessLikelyAndHardlyTold) {
+    EXPECT_TRUE(isExchanged({1.1}));
+    EXPECT_FALSE(isExchanged({0.9})) << "exact twins differ by rounding alone";
+    EXPECT_TRUE(isExchanged({9, 1, 1}));
+    EXPECT_FALSE(isExchanged({9, 1, -1}));
+    EXPECT_TRUE(isExchanged({11, 1, -1}));
+    EXPECT_FALSE(isExchanged({11, 0.5, -1})) << "of the samples half are independent";
+    RivalCase simpler{-5};
+    simpler.isSimplerEqual = true;
+    EXPECT_TRUE(isExchanged(simpler));
+    RivalCase late{100, 1, -1};
+    late.isAtTheEndOfMuch = true;
+    EXPECT_FALSE(isExchanged(late));
+}
+
 }  // namespace
 }  // namespace analogon

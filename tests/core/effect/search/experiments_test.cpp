@@ -30,5 +30,17 @@ TEST(Experiments, TellTheEffectFromWhatTheRecordingsLeaveOpen) {
     EXPECT_TRUE(proposeExperiments(of.search, node).empty()) << "it was not tried";
 }
 
+TEST(WhatItTells, IsHowFarApartTheEffectsAreOrThatMoreMustBeMeasured) {
+    const auto said = [](double separation) {
+        ProposedExperiment next;
+        next.programme = "a step";
+        next.separation = separation;
+        return whatItTells(next, Text("a from b")).english();
+    };
+    EXPECT_NE(said(4.4).find("no programme"), std::string::npos);
+    EXPECT_NE(said(4.6).find("would tell a from b by 5 standard deviations"), std::string::npos) << said(4.6);
+    EXPECT_NE(said(300).find("by more than 100"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace analogon

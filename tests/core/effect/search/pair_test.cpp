@@ -91,5 +91,21 @@ TEST(CrossOver, TurnsTwoFaultsRoundThatWereTakenForEachOther) {
     EXPECT_LT(node.null.sumOfSquares(), before);
 }
 
+TEST(WorthPairing, AreTheSixtyNamesThatExplainMost) {
+    std::vector<Screened> screened(100);
+    for (std::size_t i = 0; i < screened.size(); ++i) {
+        Probe probe;
+        probe.plain.explained = static_cast<double>(i);
+        probe.plain.visible = 1;
+        screened[i].probes = {probe};
+    }
+    screened[99].candidate.effect.proposal = "y = u";
+    screened[98].failure = Text("cannot be wired");
+    const std::vector<const Screened*> worth = worthPairing(screened);
+    ASSERT_EQ(worth.size(), 60u);
+    EXPECT_EQ(worth.front(), &screened[97]);
+    EXPECT_EQ(worth.back(), &screened[38]);
+}
+
 }  // namespace
 }  // namespace analogon

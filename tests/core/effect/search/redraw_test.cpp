@@ -30,5 +30,18 @@ TEST(Redraw, FindsNoClockWhereTheInputsAreOnTime) {
     EXPECT_FALSE(takesEdgesForDelays(of.search, of.base)) << "there is no delay";
 }
 
+TEST(Redraw, OfClocksEndsBehindThreeChanges) {
+    EstimationTask late = laggingBody(0);
+    Recording& r = late.recordings.edit().front();
+    for (Eigen::Index k = r.inputs.cols() - 1; k >= 2; --k) r.inputs(0, k) = r.inputs(0, k - 2);
+    WarmSearch of(late);
+    of.search.work.clockChanges = 2;
+    const std::optional<Late> found = findClocks(of.search, of.base, 0, 0);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->clocks.front().late, 0.5, 0.05);
+    of.search.work.clockChanges = 3;
+    EXPECT_FALSE(findClocks(of.search, of.base, 0, 0));
+}
+
 }  // namespace
 }  // namespace analogon

@@ -36,5 +36,25 @@ TEST(Refine, PutsAnEffectInFrontOfEqualSensorsWhereMuchIsLeft) {
     EXPECT_TRUE(node.null.variant.effects.front().twins.empty()) << "nothing is left, and there is no other";
 }
 
+TEST(Refine, DrawsNoFormSharperThanTwice) {
+    WarmSearch of(laggingBody(1.5));
+    Node node = nodeThatChose(of, "sensor.lag");
+    // a lag that is held, and passes for what is rounded off
+    std::vector<PlacedEffect> effects = node.null.variant.effects;
+    effects.back().freed.clear();
+    effects.back().values["T"] = 12;
+    effects.back().effect.trial.sharper["T"] = 0.5;
+    std::optional<NullModel> blunt = refittedWith(of.search, node.null, effects);
+    ASSERT_TRUE(blunt);
+    node.null = std::move(*blunt);
+    sharpen(of.search, node);
+    EXPECT_EQ(node.null.variant.effects.back().values.at("T"), 3) << "once more would be better still";
+}
+
+TEST(IsBetterSharp, IsWhatLeavesEightLess) {
+    EXPECT_TRUE(isBetterSharp(100, 91.9));
+    EXPECT_FALSE(isBetterSharp(100, 92.1));
+}
+
 }  // namespace
 }  // namespace analogon

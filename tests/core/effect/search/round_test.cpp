@@ -95,5 +95,25 @@ TEST(PassOver, SetsTheChoiceAsideAndSaysWhy) {
     EXPECT_EQ(round.refused.why.size(), 1u);
 }
 
+TEST(Round, AsksForMoreThanNoiseBringsOnceInAHundredSearches) {
+    WarmSearch of(laggingBody(0));
+    const Round round = tryAll(of.search, of.base);
+    std::vector<SharedColumns> directions;
+    for (const Screened& s : round.screened)
+        if (!s.probes.empty() && !s.isAbsorbed()) directions.push_back(s.probes.front().plain.directions);
+    ASSERT_FALSE(directions.empty());
+    const double logRows = std::log(static_cast<double>(of.base.fit.optimum.residuals.size()));
+    int above = 0;
+    for (unsigned seed = 1; seed <= 4000; ++seed) {
+        const Eigen::VectorXd noise = whiteNoise(of.base.fit.optimum.residuals.size(), seed);
+        double largest = -1e9;
+        for (const SharedColumns& d : directions)
+            largest = std::max(largest, (d->transpose().cast<double>() * noise).squaredNorm() -
+                                            static_cast<double>(d->cols()) * logRows);
+        above += largest > round.threshold;
+    }
+    EXPECT_NEAR(above / 4000.0, 0.01, 0.005);
+}
+
 }  // namespace
 }  // namespace analogon

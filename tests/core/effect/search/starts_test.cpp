@@ -62,5 +62,22 @@ TEST(FreeChecks, EstimatesWhereARecordingBeginsThatOnlyValidates) {
     EXPECT_TRUE(checksOf(300).empty());
 }
 
+TEST(CanTry, AreTwelveStartValues) {
+    EXPECT_TRUE(canTry(std::vector<ToldStart>(12)));
+    EXPECT_FALSE(canTry(std::vector<ToldStart>(13)));
+}
+
+TEST(IsElsewhere, IsThreeStandardErrorsFromWhereItWasToldToBegin) {
+    ToldStart start;
+    start.value = 300;
+    FitEstimate fitted;
+    fitted.standardError = 1;
+    fitted.value = 303.1;
+    EXPECT_TRUE(isElsewhere(start, &fitted));
+    fitted.value = 297.1;
+    EXPECT_FALSE(isElsewhere(start, &fitted));
+    EXPECT_FALSE(isElsewhere(start, nullptr));
+}
+
 }  // namespace
 }  // namespace analogon

@@ -108,5 +108,40 @@ TEST(RetryNear, BeginsOnceMoreWhereATrialMayHaveBeenFittedFromFartherAway) {
     EXPECT_TRUE(isRetried(1.1 * decrease)) << "it promised as much, and lost its way";
 }
 
+TEST(ContinueFit, GoesOnFourTimesWhileAFitTellsMore) {
+    const auto stepsOf = [](double gain, FitStatus status) {
+        Trial trial;
+        trial.ok = true;
+        trial.fit.status = status;
+        trial.fit.optimum.residuals = Eigen::VectorXd::Constant(1, 100);
+        int steps = 0;
+        continueFit(trial, [&](Trial& t) {
+            ++steps;
+            t.fit.optimum.residuals[0] = std::sqrt(t.sumOfSquares() - gain);
+        });
+        return steps;
+    };
+    EXPECT_EQ(stepsOf(20, FitStatus::IterationLimit), 4);
+    EXPECT_EQ(stepsOf(9, FitStatus::IterationLimit), 1) << "the data do not tell so little apart";
+    EXPECT_EQ(stepsOf(20, FitStatus::Converged), 0);
+}
+
+/// The whole catalogue, where the best of what is tried first leaves much.
+TEST(TryBest, SeesWhoDeservesATrialInFiveIterations) {
+    DiscoverOptions options;
+    options.refitted = 1;
+    EstimationTask task = laggingBody(3);
+    addDraught(task, 0.5);
+    WarmSearch of(task, options);
+    of.search.catalogue = *effectCatalogue(task.library);
+    const std::vector<Trial> trials = tryBest(of.search, of.base, screenAll(of.search, of.base), 0);
+    const auto ended = [&](int iterations) {
+        return std::count_if(trials.begin(), trials.end(),
+                             [&](const Trial& t) { return t.fit.iterations == iterations; });
+    };
+    EXPECT_GT(ended(5), 3);
+    for (int more = 6; more < 12; ++more) EXPECT_LE(ended(more), 1) << more;
+}
+
 }  // namespace
 }  // namespace analogon

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/core/effect/hand_made.hpp"
 #include "tests/core/effect/search/warm_search.hpp"
 
 namespace analogon {
@@ -52,6 +53,29 @@ TEST(Verdicts, OfWhatWasChosenOnTheWayAndIsNotInTheEndAreSettled) {
     EXPECT_EQ(candidates[3].verdict, Verdict::Weaker);
     EXPECT_FALSE(candidates[1].reason.empty());
     EXPECT_FALSE(candidates[3].reason.empty());
+}
+
+/// Trials beside a model that leaves noise: the first is chosen, each of the others at a place of its own does a little
+/// worse.
+TEST(StepOf, KeepsFiveRivalsBesideTheChoiceAndThoseAtItsOwnPlace) {
+    constexpr int samples = 200;
+    WarmSearch of(laggingBody(0));
+    const NullModel null = modelThatLeaves(whiteNoise(samples), Eigen::MatrixXd(samples, 0));
+    Round round;
+    for (int i = 0; i < 20; ++i) {
+        Trial t;
+        t.ok = true;
+        t.evidence = 100 - i;
+        t.screened.candidate = candidate("effect " + std::to_string(i));
+        t.screened.candidate.place.at = t.screened.candidate.place.connector = "place " + std::to_string(i);
+        t.variant.effects.resize(1);
+        t.fit.optimum.residuals = whiteNoise(samples);
+        round.trials.push_back(t);
+    }
+    round.chosen = 0;
+    EXPECT_EQ(stepOf(of.search, null, round).rivals.size(), 5u);
+    round.trials.back().screened.candidate.place.connector = "place 0";
+    EXPECT_EQ(stepOf(of.search, null, round).rivals.size(), 6u);
 }
 
 }  // namespace
