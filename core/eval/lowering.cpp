@@ -419,11 +419,21 @@ void Lowering::lowerBlock(const SolutionBlock& block) {
     }
 }
 
+std::vector<std::uint32_t> Lowering::entriesOf(const std::vector<ExpressionId>& matrix) const {
+    std::vector<std::uint32_t> entries;
+    for (std::size_t i = 0; i < matrix.size(); ++i) {
+        const ExpressionNode& e = pool_[matrix[i]];
+        if (e.operation != Operation::Constant || e.value != 0) entries.push_back(static_cast<std::uint32_t>(i));
+    }
+    return entries;
+}
+
 void Lowering::lowerLinear(const SolutionBlock& block) {
     LinearBlock linear;
     RegisterInfo info{.isOwn = true};
     info.degree = 0;
     for (const ExpressionId entry : block.jacobian) linear.matrix.push_back(lower(entry));
+    linear.entries = entriesOf(block.jacobian);
     for (const ExpressionId entry : block.constantTerm) linear.constant.push_back(lower(entry));
     for (const std::uint32_t reg : linear.matrix)
         if (registers_[reg].degree > 0) info.degree = 2;
@@ -468,6 +478,7 @@ void Lowering::lowerNonlinear(const SolutionBlock& block) {
         for (std::size_t mode = 0; mode < 2; ++mode) nonlinear.active[mode] |= registers_[reg].active[mode];
     }
     for (const ExpressionId entry : block.jacobian) nonlinear.jacobian.push_back(lower(entry));
+    nonlinear.entries = entriesOf(block.jacobian);
     scope_ = nullptr;
     for (const ExpressionId node : scopedNodes_) local_[node.value] = none;
     scopedNodes_.clear();

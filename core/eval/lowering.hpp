@@ -97,6 +97,8 @@ private:
     std::uint32_t emit(Opcode opcode, std::uint32_t a, std::uint32_t b = 0, std::uint32_t c = 0);
     std::uint8_t degreeOf(const Instruction& instruction) const;
     void lowerBlock(const SolutionBlock& block);
+    /// Indices of what is not 0 in every model.
+    std::vector<std::uint32_t> entriesOf(const std::vector<ExpressionId>& matrix) const;
     void lowerLinear(const SolutionBlock& block);
     void lowerNonlinear(const SolutionBlock& block);
     void define(ExpressionId node, std::uint32_t reg);

@@ -134,7 +134,7 @@ template <int L>
         switch (i.kernel[mode]) {
             case Kernel::Value:
                 if (i.opcode == Opcode::SolveLinear) {
-                    if (!solveLinear(tables.linear[i.a], registers, mode)) return false;
+                    if (!solveLinear(i.a, tables, registers, mode)) return false;
                 } else if (i.opcode == Opcode::SolveNonlinear) {
                     if (!solveNonlinear(i.a, tables, registers, mode)) return false;
                 } else {
@@ -298,7 +298,7 @@ bool values(const std::vector<Instruction>& code, const std::vector<double>& con
     double* const v = registers.values.data();
     for (const Instruction& i : code) {
         if (i.opcode == Opcode::SolveLinear) {
-            if (!solveLinear(tables.linear[i.a], registers, -1)) return false;
+            if (!solveLinear(i.a, tables, registers, -1)) return false;
         } else if (i.opcode == Opcode::SolveNonlinear) {
             if (!solveNonlinear(i.a, tables, registers, -1)) return false;
         } else {

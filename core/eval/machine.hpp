@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/eval/block_factors.hpp"
 #include "core/eval/program.hpp"
 #include "core/eval/vector_code.hpp"
 
@@ -41,6 +42,7 @@ struct Registers {
     std::vector<char> hasGuess;   // by the same places
     std::vector<double> matrix, vector, trial, start, scale, rowScale, rows;  // scratch of the solvers
     std::vector<int> pivots;
+    std::vector<BlockFactors> linear, nonlinear;  // by the number of the block, of those that are large
     std::string failure;
     bool failedToSolve{};
 
@@ -76,7 +78,7 @@ void runBodyTangents(const std::vector<Instruction>& code, const ProgramTables& 
                      TangentMode mode);
 
 // The blocks (solvers.cpp). With tangents when `mode` >= 0.
-bool solveLinear(const LinearBlock& block, Registers& registers, int mode);
+bool solveLinear(std::size_t number, const ProgramTables& tables, Registers& registers, int mode);
 bool solveNonlinear(std::size_t number, const ProgramTables& tables, Registers& registers, int mode);
 
 /// LU factors with scaled partial pivoting, row-major in place (Golub & Van Loan, section 3.4). False when

@@ -100,6 +100,7 @@ struct Instruction {
 /// matrix * unknowns + constant = 0, matrix row-major.
 struct LinearBlock {
     std::vector<std::uint32_t> unknowns, matrix, constant;
+    std::vector<std::uint32_t> entries;                 // of the matrix that are not 0 in every model: row * n + column
     std::array<std::uint8_t, 2> active{};               // whether the block has tangents at all, by TangentMode
     std::vector<std::array<std::uint8_t, 2>> activeOf;  // of matrix, then of constant
     std::vector<std::string> names;
@@ -108,6 +109,7 @@ struct LinearBlock {
 /// residuals(unknowns) = 0; `body` computes residuals and Jacobian from the unknowns' registers.
 struct NonlinearBlock {
     std::vector<std::uint32_t> unknowns, residuals, jacobian, starts;
+    std::vector<std::uint32_t> entries;  // of the Jacobian, as of a linear block
     std::vector<double> nominal;
     std::vector<Instruction> body;
     std::array<std::uint8_t, 2> active{};

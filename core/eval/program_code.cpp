@@ -27,7 +27,7 @@ constexpr Entity none = VectorCode::none;
 
 bool runBlock(Registers* registers, const void* data) {
     const auto& block = *static_cast<const CompiledProgram::Block*>(data);
-    return block.isLinear ? solveLinear(block.tables->linear[block.number], *registers, block.mode)
+    return block.isLinear ? solveLinear(block.number, *block.tables, *registers, block.mode)
                           : solveNonlinear(block.number, *block.tables, *registers, block.mode);
 }
 

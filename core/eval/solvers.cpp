@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "core/base/stop.hpp"
+#include "core/eval/block_matrix.hpp"
 #include "core/eval/machine.hpp"
 #include "core/eval/program_code.hpp"
 #include "core/eval/rank_deficient.hpp"
@@ -70,19 +71,6 @@ void substitute(std::span<const double> matrix, std::span<const int> pivots, dou
 
 namespace {
 
-void reserveScratch(Registers& r, std::size_t n) {
-    if (r.matrix.size() < n * n) r.matrix.resize(n * n);
-    if (r.vector.size() < n) {
-        r.vector.resize(n);
-        r.trial.resize(n);
-        r.start.resize(n);
-        r.rowScale.resize(n);
-        r.scale.resize(n);
-        r.pivots.resize(n);
-    }
-    r.rows.resize(std::max(r.rows.size(), n * static_cast<std::size_t>(r.lanes)));
-}
-
 void fail(Registers& r, const std::string& name) {
     r.failure = name;
     r.failedToSolve = true;
@@ -128,10 +116,12 @@ private:
 /// first Jacobian.
 class NewtonIteration {
 public:
-    NewtonIteration(const NonlinearBlock& block, Body& body, Registers& registers)
-        : block_(block), body_(body), r_(registers), n_(block.unknowns.size()) {
-        reserveScratch(r_, n_);
-    }
+    NewtonIteration(const NonlinearBlock& block, Body& body, BlockFactors* kept, Registers& registers)
+        : block_(block),
+          body_(body),
+          r_(registers),
+          n_(block.unknowns.size()),
+          jacobian_(block.jacobian, block.entries, n_, kept, registers) {}
 
     bool from(std::span<const double> start) { return n_ == 1 ? fromOne(start[0]) : fromMany(start); }
     /// A single unknown: looks for a change of sign around the start and closes in on it.
@@ -139,9 +129,11 @@ public:
     /// Factors the Jacobian at the solution.
     bool factoriseHere() {
         evaluate();
-        loadJacobian();
-        return factorise({r_.matrix.data(), n_ * n_}, {r_.pivots.data(), n_}, {r_.scale.data(), n_});
+        jacobian_.load();
+        return jacobian_.factorise();
     }
+    /// With these factors.
+    void solve(double* right, int width) const { jacobian_.solve(right, width); }
 
 private:
     bool fromOne(double start);
@@ -149,9 +141,6 @@ private:
     double& unknown(std::size_t i) { return r_.values[block_.unknowns[i]]; }
     double residual(std::size_t i) const { return r_.values[block_.residuals[i]]; }
     void evaluate() { body_.values(); }
-    void loadJacobian() {
-        for (std::size_t i = 0; i < n_ * n_; ++i) r_.matrix[i] = r_.values[block_.jacobian[i]];
-    }
     double norm() const;
     void setRowScale();
     double valueAt(double z) {
@@ -164,13 +153,16 @@ private:
     Body& body_;
     Registers& r_;
     std::size_t n_;
+    BlockMatrix jacobian_;
 };
 
 void NewtonIteration::setRowScale() {
+    std::fill_n(r_.rowScale.begin(), n_, 0.0);
+    jacobian_.visit([&](std::size_t i, std::size_t j, double value) {
+        r_.rowScale[i] = std::max(r_.rowScale[i], std::fabs(value) * block_.nominal[j]);
+    });
     for (std::size_t i = 0; i < n_; ++i) {
-        double largest = 0;
-        for (std::size_t j = 0; j < n_; ++j)
-            largest = std::max(largest, std::fabs(r_.matrix[i * n_ + j]) * block_.nominal[j]);
+        const double largest = r_.rowScale[i];
         r_.rowScale[i] = largest > 0 && std::isfinite(largest) ? 1 / largest : 1;
     }
 }
@@ -221,15 +213,15 @@ bool NewtonIteration::fromOne(double start) {
 bool NewtonIteration::fromMany(std::span<const double> start) {
     for (std::size_t i = 0; i < n_; ++i) unknown(i) = start[i];
     evaluate();
-    loadJacobian();
+    jacobian_.load();
     setRowScale();
     double size = norm(), before = 0;
     for (int step = 0; step < mostSteps; ++step) {
         if (size == 0) return true;
         if (!std::isfinite(size) || isStopped()) return false;
-        if (!factorise({r_.matrix.data(), n_ * n_}, {r_.pivots.data(), n_}, {r_.scale.data(), n_})) return false;
+        if (!jacobian_.factorise()) return false;
         for (std::size_t i = 0; i < n_; ++i) r_.vector[i] = residual(i);
-        substitute({r_.matrix.data(), n_ * n_}, {r_.pivots.data(), n_}, r_.vector.data(), 1, 1);
+        jacobian_.solve(r_.vector.data(), 1);
         double relative = 0;
         for (std::size_t i = 0; i < n_; ++i) {
             r_.trial[i] = unknown(i);
@@ -251,7 +243,7 @@ bool NewtonIteration::fromMany(std::span<const double> start) {
         }
         size = reached;
         before = fraction == 1 ? relative : 0;
-        loadJacobian();
+        jacobian_.load();
     }
     return false;
 }
@@ -332,35 +324,35 @@ bool solveRepeating(const LinearBlock& block, Registers& r) {
 
 }  // namespace
 
-bool solveLinear(const LinearBlock& block, Registers& r, int mode) {
+bool solveLinear(std::size_t number, const ProgramTables& tables, Registers& r, int mode) {
+    const LinearBlock& block = tables.linear[number];
     const auto n = block.unknowns.size();
-    reserveScratch(r, n);
-    for (std::size_t i = 0; i < n * n; ++i) r.matrix[i] = r.values[block.matrix[i]];
-    if (!factorise({r.matrix.data(), n * n}, {r.pivots.data(), n}, {r.scale.data(), n})) {
+    BlockMatrix matrix(block.matrix, block.entries, n, keptOf(r.linear, number, tables.linear.size(), n), r);
+    matrix.load();
+    if (!matrix.factorise()) {
         if (mode < 0 && solveRepeating(block, r)) return true;
         fail(r, block.names.front());
         return false;
     }
     for (std::size_t i = 0; i < n; ++i) r.vector[i] = -r.values[block.constant[i]];
-    substitute({r.matrix.data(), n * n}, {r.pivots.data(), n}, r.vector.data(), 1, 1);
+    matrix.solve(r.vector.data(), 1);
     for (std::size_t i = 0; i < n; ++i) r.values[block.unknowns[i]] = r.vector[i];
     if (mode < 0 || !block.active[static_cast<std::size_t>(mode)]) return true;
 
     // A dz = -(db + dA z)
     const auto m = static_cast<std::size_t>(mode);
     const auto lanes = static_cast<std::size_t>(r.lanes);
-    for (std::size_t i = 0; i < n; ++i) {
+    std::fill_n(r.rows.begin(), n * lanes, 0.0);
+    const auto subtract = [&](std::size_t i, std::uint32_t reg, double factor) {
         double* row = r.rows.data() + i * lanes;
-        std::fill(row, row + lanes, 0.0);
-        const auto subtract = [&](std::uint32_t reg, double factor) {
-            const double* d = tangentsAt(r, reg);
-            for (std::size_t k = 0; k < lanes; ++k) row[k] -= factor * d[k];
-        };
-        if (block.activeOf[n * n + i][m]) subtract(block.constant[i], 1);
-        for (std::size_t j = 0; j < n; ++j)
-            if (block.activeOf[i * n + j][m]) subtract(block.matrix[i * n + j], r.vector[j]);
-    }
-    substitute({r.matrix.data(), n * n}, {r.pivots.data(), n}, r.rows.data(), r.lanes, r.lanes);
+        const double* d = tangentsAt(r, reg);
+        for (std::size_t k = 0; k < lanes; ++k) row[k] -= factor * d[k];
+    };
+    for (std::size_t i = 0; i < n; ++i)
+        if (block.activeOf[n * n + i][m]) subtract(i, block.constant[i], 1);
+    for (const std::uint32_t e : block.entries)
+        if (block.activeOf[e][m]) subtract(e / n, block.matrix[e], r.vector[e % n]);
+    matrix.solve(r.rows.data(), r.lanes);
     for (std::size_t i = 0; i < n; ++i) std::copy_n(r.rows.data() + i * lanes, lanes, tangentsAt(r, block.unknowns[i]));
     return true;
 }
@@ -369,7 +361,7 @@ bool solveNonlinear(std::size_t number, const ProgramTables& tables, Registers& 
     const NonlinearBlock& block = tables.nonlinear[number];
     const auto n = block.unknowns.size();
     Body body(number, tables, r, mode);
-    NewtonIteration newton(block, body, r);
+    NewtonIteration newton(block, body, keptOf(r.nonlinear, number, tables.nonlinear.size(), n), r);
     if (!iterate(block, newton, r)) {
         fail(r, block.names.front());
         return false;
@@ -403,7 +395,7 @@ bool solveNonlinear(std::size_t number, const ProgramTables& tables, Registers& 
         fail(r, block.names.front());
         return false;
     }
-    if (isRegular) substitute({r.matrix.data(), n * n}, {r.pivots.data(), n}, r.rows.data(), r.lanes, r.lanes);
+    if (isRegular) newton.solve(r.rows.data(), r.lanes);
     for (std::size_t i = 0; i < n; ++i) std::copy_n(r.rows.data() + i * lanes, lanes, tangentsAt(r, block.unknowns[i]));
     return true;
 }

@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
+#include "core/eval/sparse_factors.hpp"
 #include "core/simulate/dense_factors.hpp"
 #include "core/simulate/dynamics.hpp"
-#include "core/simulate/sparse_factors.hpp"
 
 namespace analogon {
 

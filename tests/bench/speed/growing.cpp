@@ -113,6 +113,40 @@ std::string chainText(int masses, bool isRod) {
     return text + wires + "end Chain;\n";
 }
 
+std::string netText(int side) {
+    std::string text =
+        "model Net\n  Analogon.Interfaces.RealInput q;\n  Analogon.Interfaces.RealOutput T;\n"
+        "  Analogon.Sources.PrescribedHeatFlow source;\n  Analogon.Sources.FixedTemperature ambient(T=293);\n"
+        "  Analogon.Thermal.HeatCapacitor m1(C=50);\n  Analogon.Thermal.HeatCapacitor m2(C=20);\n"
+        "  Analogon.Sensors.TemperatureSensor sensor;\n";
+    std::string wires = "equation\n  connect(q, source.Q_flow);\n  connect(sensor.T, T);\n";
+    std::vector<std::string> portOf(static_cast<std::size_t>(side * side));  // of each node the first
+    const auto join = [&](int i, int j, const std::string& port) {
+        std::string& first = portOf[static_cast<std::size_t>(i * side + j)];
+        if (first.empty())
+            first = port;
+        else
+            wires += fmt::format("  connect({}, {});\n", first, port);
+    };
+    int count = 0;
+    for (int i = 0; i < side; ++i)
+        for (int j = 0; j < side; ++j)
+            for (const auto& [a, b] : {std::pair(i, j + 1), std::pair(i + 1, j)}) {
+                if (a == side || b == side) continue;
+                ++count;
+                const double G = 2 * (1 + 0.1 * (count * 3 % 7));
+                text += fmt::format("  Analogon.Thermal.ThermalConductor g{}(G={:.6g});\n", count, G);
+                join(i, j, fmt::format("g{}.port_a", count));
+                join(a, b, fmt::format("g{}.port_b", count));
+            }
+    join(0, 0, "source.port");
+    join(side - 1, side - 1, "ambient.port");
+    join(side / 2, side / 2, "m1.port");
+    join(side / 2, side / 2, "sensor.port");
+    join(side - 1, 0, "m2.port");
+    return text + wires + "end Net;\n";
+}
+
 const char* const pumpText = R"(
 model Load
   extends Analogon.Interfaces.PartialOneFlange;
@@ -156,6 +190,16 @@ FitProblem thermalChain(int masses, bool isRod, int samples, int fitted) {
     const SystemPtr system = systemOf(chainText(masses, isRod), "Chain", kept);
     FitProblem problem;
     addExperiment(problem, system, levels({{0, 100}, {283, 303}}, samples, 0.5, 50, 5), 1e-3, 6);
+    fitFrom(problem, *system, 1.3);
+    return problem;
+}
+
+FitProblem thermalNet(int side, int samples, int fitted) {
+    std::vector<std::string> kept{"m1.C", "g1.G", "m2.C", "g4.G"};
+    kept.resize(static_cast<std::size_t>(std::min(fitted, 4)));
+    const SystemPtr system = systemOf(netText(side), "Net", kept);
+    FitProblem problem;
+    addExperiment(problem, system, levels({{0, 100}}, samples, 0.5, 50, 8), 1e-3, 9);
     fitFrom(problem, *system, 1.3);
     return problem;
 }

@@ -10,6 +10,11 @@ namespace analogon::speed {
 /// which grows stiffer with their number.
 FitProblem thermalChain(int masses, bool isRod, int samples, int fitted);
 
+/// A square net of conductances between nodes without mass, heated at one corner and held at the one across, with
+/// masses in the middle and at a third corner: all its nodes are one block of linear equations. `side`: nodes of an
+/// edge.
+FitProblem thermalNet(int side, int samples, int fitted);
+
 /// An electric pump whose shaft ends without mass in a load that grows with the square of the speed. `sticks`: with a
 /// friction beside it, so that the equation for the speed has no closed solution.
 FitProblem pump(int samples, bool sticks);

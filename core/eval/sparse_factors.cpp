@@ -1,4 +1,4 @@
-#include "core/simulate/sparse_factors.hpp"
+#include "core/eval/sparse_factors.hpp"
 
 #include <suitesparse/klu.h>
 
@@ -50,6 +50,11 @@ bool SparseFactors::factorise(const double* entries) {
     k.numeric = klu_factor(k.starts, k.rows, values, k.symbolic, &k.common);
     if (k.numeric && k.common.status != KLU_OK) klu_free_numeric(&k.numeric, &k.common);
     return k.numeric != nullptr;
+}
+
+double SparseFactors::pivotRatio() const {
+    Klu& k = *klu_;
+    return klu_rcond(k.symbolic, k.numeric, &k.common) != 0 ? k.common.rcond : 0;
 }
 
 void SparseFactors::solve(double* b, int width) const {

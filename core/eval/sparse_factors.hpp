@@ -16,6 +16,8 @@ public:
 
     /// By the entries of the pattern. False for a singular matrix.
     bool factorise(const double* entries);
+    /// Of the factors: the smallest over the largest pivot, rows scaled (a cheap bound of the condition).
+    double pivotRatio() const;
     /// Solves in place for `width` right-hand sides, row-major n x width.
     void solve(double* b, int width) const;
 
