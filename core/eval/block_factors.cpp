@@ -15,6 +15,10 @@ constexpr std::size_t fewestOfSparse = 24, mostOfSparse = 4;
 /// whether a matrix is singular.
 constexpr double leastPivot = 1e-12;
 
+/// What is left of a block once its other unknowns are eliminated has no diagonal to speak of: digits go before
+/// fill-in.
+constexpr double partialPivoting = 1;
+
 }  // namespace
 
 struct BlockFactors::Pattern {
@@ -35,7 +39,7 @@ struct BlockFactors::Pattern {
             rows[at] = static_cast<int>(entries[k] / n);
             order[at] = k;
         }
-        factors = std::make_unique<SparseFactors>(static_cast<int>(n), starts.data(), rows.data());
+        factors = std::make_unique<SparseFactors>(static_cast<int>(n), starts.data(), rows.data(), partialPivoting);
     }
 };
 

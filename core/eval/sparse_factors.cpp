@@ -28,11 +28,13 @@ struct SparseFactors::Klu {
     }
 };
 
-SparseFactors::SparseFactors(int n, const int* starts, const int* rows) : klu_(std::make_unique<Klu>()) {
+SparseFactors::SparseFactors(int n, const int* starts, const int* rows, double leastDiagonal)
+    : klu_(std::make_unique<Klu>()) {
     klu_->n = n;
     klu_->starts = const_cast<int*>(starts);  // only read
     klu_->rows = const_cast<int*>(rows);
     klu_defaults(&klu_->common);
+    klu_->common.tol = leastDiagonal;
     klu_->symbolic = klu_analyze(n, klu_->starts, klu_->rows, &klu_->common);
 }
 

@@ -8,8 +8,9 @@ namespace analogon {
 /// 37:36 (2010)): the order of elimination is found once, the pivots are kept from matrix to matrix while they serve.
 class SparseFactors {
 public:
-    /// The pattern, compressed by columns with ascending rows: it must outlive the factors.
-    SparseFactors(int n, const int* starts, const int* rows);
+    /// The pattern, compressed by columns with ascending rows: it must outlive the factors. The diagonal is taken for
+    /// the pivot where it is at least that part of the largest entry of its column; 1: partial pivoting.
+    SparseFactors(int n, const int* starts, const int* rows, double leastDiagonal = 1e-3);
     ~SparseFactors();
     SparseFactors(const SparseFactors&) = delete;
     SparseFactors& operator=(const SparseFactors&) = delete;

@@ -108,5 +108,55 @@ TEST(LinearLoop, OfANetKeepsItsDigits) {
     EXPECT_NEAR(lost, 3, 1e-8);
 }
 
+TEST(LinearLoop, OfALargeNetKeepsItsDigitsWithSparseFactors) {
+    // The nodes but three have no state; one corner is held at 300. What is left of the block once most of its unknowns
+    // are eliminated has no diagonal to speak of.
+    constexpr int n = 16;
+    std::string text = "model Net\n  input Real u;\n  parameter Real g = 0.1;\n", equations = "equation\n";
+    int count = 0;
+    std::vector<std::string> balance(n * n);
+    const auto name = [](int i, int j) { return fmt::format("T{}_{}", i, j); };
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            text += fmt::format("  Real {};\n", name(i, j));
+            for (const auto& [a, b] : {std::pair(i, j + 1), std::pair(i + 1, j)}) {
+                if (a == n || b == n) continue;
+                text += fmt::format("  Real q{};\n", ++count);
+                equations += fmt::format("  q{} = (g + {})*({} - {});\n", count, 0.001 * count, name(i, j), name(a, b));
+                balance[static_cast<std::size_t>(i * n + j)] += fmt::format(" - q{}", count);
+                balance[static_cast<std::size_t>(a * n + b)] += fmt::format(" + q{}", count);
+            }
+        }
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            const std::string own = balance[static_cast<std::size_t>(i * n + j)];
+            const bool hasState = (i == 0 && j == 0) || (i == n / 2 && j == n / 2) || (i == n - 1 && j == 0);
+            if (i == n - 1 && j == n - 1)
+                equations += fmt::format("  {} = 300;\n", name(i, j));
+            else
+                equations += fmt::format("  {} = {}{};\n", hasState ? fmt::format("5*der({})", name(i, j)) : "0",
+                                         i == 0 && j == 0 ? "u" : "0", own);
+        }
+    const SystemPtr system = test::compileText(text + equations + "end Net;\n", "Net", {"g"});
+    ASSERT_TRUE(system);
+    ASSERT_EQ(system->stateCount(), 3);
+    Workspace w = system->workspace(0);
+    ASSERT_TRUE(system->setParameters(w, test::ownParameters(*system)));
+    const auto rates = [&](const std::vector<double>& x) {
+        std::vector<double> f(3);
+        EXPECT_TRUE(system->derivatives(w, 0, x, std::vector<double>{0}, f));
+        return f;
+    };
+    const std::vector<double> none = rates({0, 0, 0}), all = rates({1.7, 0.8, -0.1});
+    std::vector<double> sum = none;
+    for (std::size_t j = 0; j < 3; ++j) {
+        std::vector<double> x(3);
+        x[j] = 1;
+        const std::vector<double> unit = rates(x);
+        for (std::size_t i = 0; i < 3; ++i) sum[i] += std::vector{1.7, 0.8, -0.1}[j] * (unit[i] - none[i]);
+    }
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(sum[i], all[i], 1e-13 * std::fabs(all[i])) << i;
+}
+
 }  // namespace
 }  // namespace analogon
