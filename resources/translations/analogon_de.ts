@@ -6908,6 +6908,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>{} liegt an einer Grenze ({}{}{}): Die Grenze ist zu eng, oder dem Modell fehlt etwas, für das der Parameter einsteht</translation>
     </message>
     <message>
+        <source>long recordings, in which means of neighbouring samples would blur what is fast: the search works on their first part, the fit before and after it on all of them</source>
+        <translation>lange Aufzeichnungen, in denen Mittel über benachbarte Abtastwerte verwischen würden, was schnell ist: Die Suche arbeitet mit ihrem ersten Teil, die Anpassung davor und danach mit allen Abtastwerten</translation>
+    </message>
+    <message>
+        <source>{} (on means of {} samples)</source>
+        <translation>{} (mit Mitteln über {} Abtastwerte)</translation>
+    </message>
+    <message>
         <source>long recordings: the search works on means of {} samples, the fit before and after it on all of them</source>
         <translation>lange Aufzeichnungen: Die Suche arbeitet mit Mitteln über {} Abtastwerte, die Anpassung davor und danach mit allen</translation>
     </message>

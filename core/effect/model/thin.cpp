@@ -1,6 +1,8 @@
 #include "core/effect/model/thin.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/fit/held_input.hpp"
 
@@ -51,22 +53,42 @@ void thin(Recording& recording, int factor) {
             recording.inputs.row(i) = heldMeans(from.time, from.inputs.row(i), recording.time);
 }
 
-}  // namespace
-
-EstimationTask thinned(const EstimationTask& task, int factor) {
-    EstimationTask shorter = task;
-    if (factor < 2) return shorter;
-    for (Recording& r : shorter.recordings.edit())
-        if (r.role == Role::Fit) thin(r, factor);
-    return shorter;
+void keepFirst(Recording& recording, Eigen::Index samples) {
+    const auto count = static_cast<std::size_t>(samples);
+    recording.time.resize(count);
+    recording.inputs = recording.inputs.leftCols(samples).eval();
+    recording.outputs = recording.outputs.leftCols(samples).eval();
+    for (SpareChannel& s : recording.spares) s.values.resize(count);
 }
 
-int thinningFor(const EstimationTask& task, long mostSamples) {
+long fittedSamples(const EstimationTask& task) {
     long samples = 0;
     for (const Recording& r : task.recordings)
         if (r.role == Role::Fit) samples += static_cast<long>(r.time.size());
-    const auto factor = static_cast<int>((samples + mostSamples - 1) / mostSamples);
-    return factor < 2 ? factor : factor | 1;
+    return samples;
 }
+
+}  // namespace
+
+EstimationTask thinned(const EstimationTask& task, const Thinning& thinning, long mostSamples) {
+    EstimationTask shorter = task;
+    if (thinning.isWhole()) return shorter;
+    for (Recording& r : shorter.recordings.edit())
+        if (r.role == Role::Fit && thinning.factor > 1) thin(r, thinning.factor);
+    const long samples = fittedSamples(shorter);
+    if (!thinning.isFirstPart || samples <= mostSamples) return shorter;
+    for (Recording& r : shorter.recordings.edit())
+        if (r.role == Role::Fit)
+            keepFirst(
+                r, std::max<long>(std::min<long>(2, std::ssize(r.time)), std::ssize(r.time) * mostSamples / samples));
+    return shorter;
+}
+
+Thinning thinningFor(const EstimationTask& task, long mostSamples) {
+    const auto factor = static_cast<int>((fittedSamples(task) + mostSamples - 1) / mostSamples);
+    return {factor < 2 ? 1 : factor | 1, false};
+}
+
+Thinning finer(const Thinning& thinning) { return {thinning.factor < 4 ? 1 : (thinning.factor / 3) | 1, true}; }
 
 }  // namespace analogon

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/effect/model/thin.hpp"
 #include "core/effect/reading/faulty_sample.hpp"
 #include "core/effect/reading/input_clock.hpp"
 #include "core/effect/reading/input_noise.hpp"
@@ -23,9 +24,9 @@ struct RedrawnInputs {
 };
 
 struct Readings {
-    Variant searched;  // what the search works with: on means of `thinning` neighbouring samples
+    Variant searched;  // what the search works with: shortened by `thinning`
     Variant full;      // on every sample: what is reported
-    int thinning{1};
+    Thinning thinning{};
     std::vector<FaultySamples> faults{};
     std::vector<ToldStart> freedStarts{};   // that were told wrongly
     std::vector<ToldStart> checkStarts{};   // estimated from recordings that only validate

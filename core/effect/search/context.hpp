@@ -62,6 +62,7 @@ struct Whole {
     Node node;
     Readings readings;
     bool predicts{};  // clearly better than the model as given
+    bool isOnAll{};   // the node is of all samples, where the search works on fewer
 };
 
 /// Where a search has been: what follows there is known.

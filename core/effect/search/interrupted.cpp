@@ -59,7 +59,39 @@ Finding tellWhole(const SearchContext& search, const Node& node, const FlatModel
     return finding;
 }
 
+/// The node of a search on fewer samples as it is on all of them. False: that could not be told, or it is no better
+/// than the model as given.
+bool takeOnAll(const SearchContext& search, Whole& whole) {
+    Node& node = whole.node;
+    if (!whole.isOnAll) {
+        const Outcome<Variant> all =
+            withEffects(whole.readings.full, node.null.variant.effects, node.null.variant.values);
+        if (!all) return false;
+        Outcome<ModelState> state = stateOf(*all, node.null.fit, search.options.fit.simulation, {});
+        if (!state || isStopped()) return false;
+        node.null.variant = *all;
+        node.state = std::move(*state);
+        whole.isOnAll = true;
+    }
+    return errorPercentOf(*node.state, Role::Fit) < errorPercentOf(search.frontier.begun->baseline, Role::Fit);
+}
+
 }  // namespace
+
+void fitBestOnAll(SearchContext& search, const NullModel& given, const Progress& progress) {
+    Whole* const whole = search.frontier.toTell();
+    if (whole == nullptr) return;
+    Node& node = whole->node;
+    const Outcome<Variant> all = withEffects(whole->readings.full, node.null.variant.effects, node.null.variant.values);
+    if (!all) return;
+    Outcome<NullModel> fitted = fitNull(*all, given.noise, NoiseLevel::Estimate, search.options.fit, progress);
+    if (!fitted || progress.stopRequested()) return;
+    Outcome<ModelState> state = stateOf(fitted->variant, fitted->fit, search.options.fit.simulation, progress);
+    if (!state || progress.stopRequested()) return;
+    node.null = std::move(*fitted);
+    node.state = std::move(*state);
+    whole->isOnAll = true;
+}
 
 void Frontier::keepClear() {
     if (best.whole && isClear(*best.whole)) best.clear = *best.whole;
@@ -91,7 +123,10 @@ Outcome<Finding> fittedSoFar(const NullModel& null, const SimulationOptions& sim
 
 void keepSoFar(SearchContext& search, const std::vector<CandidateResult>& candidates) {
     if (!search.options.keep || !search.frontier.begun) return;
-    const Whole* const whole = search.frontier.toTell();
+    const Whole* const best = search.frontier.toTell();
+    std::optional<Whole> whole;  // the search goes on with the node as it is
+    if (best != nullptr) whole = *best;
+    if (whole && !whole->readings.thinning.isWhole() && !takeOnAll(search, *whole)) whole.reset();
     Finding finding = whole ? tellWhole(search, whole->node, nullptr) : *search.frontier.begun;
     finding.candidates = candidates;
     settleVerdicts(finding, finding.candidates);
@@ -127,7 +162,12 @@ Outcome<Finding> foundSoFar(SearchContext& search, const NullModel& first) {
         if (!fitted) return fitted;
         frontier.begun = std::move(*fitted);
     }
-    Whole* const whole = frontier.toTell();
+    Whole* whole = frontier.toTell();
+    if (whole != nullptr && !whole->readings.thinning.isWhole()) {
+        bool isBetter = false;
+        soon([&] { isBetter = takeOnAll(search, *whole); });
+        if (!isBetter) whole = nullptr;
+    }
     std::optional<FlatModel> valued;
     if (whole) {
         Node& node = whole->node;

@@ -143,7 +143,7 @@ void holdUnneededClocks(SearchContext& search, NullModel& null) {
 }
 
 bool canPlaceEdges(const SearchContext& search, const NullModel& null) {
-    return !search.readings.takesAsGiven && search.readings.drawn.edges.empty() && search.readings.thinning == 1 &&
+    return !search.readings.takesAsGiven && search.readings.drawn.edges.empty() && search.readings.thinning.isWhole() &&
            !hasProposal(null);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 
 #include "core/base/stop.hpp"
 #include "core/base/stopwatch.hpp"
@@ -43,6 +44,7 @@ Outcome<Finding> Run::run() {
             stopPoint();  // what was passed over since then may have changed what it says
             return whole;
         } catch (const Stopped&) {
+            takeBestOnAll();
             const std::stop_source nobody;  // asks what is told now to stop, whatever is in force outside
             const StopScope scope(nobody.get_token());
             return foundSoFar(search_, first_);
@@ -60,6 +62,16 @@ Outcome<Finding> Run::run() {
     search_.journal.add("work", "", {{"steps", search_.work.simulated.done()}, {"of_fit", fitWork_}}, "counted");
     search_.journal.finding(*finding);
     return finding;
+}
+
+/// The best node of a search that has come to the limit of its work, fitted to all samples.
+void Run::takeBestOnAll() {
+    if (!onAll_ || !search_.work.isSpent()) return;
+    try {
+        const StopScope scope(outside_.stopToken());
+        fitBestOnAll(search_, *onAll_, outside_);
+    } catch (const Stopped&) {
+    }
 }
 
 Outcome<Finding> Run::searched() {
@@ -96,12 +108,54 @@ Outcome<Done> Run::chooseCatalogue() {
 }
 
 Outcome<Done> Run::fitOnAll() {
-    if (search_.readings.thinning < 2) return Done{};
+    if (search_.readings.thinning.isWhole()) return Done{};
     Outcome<NullModel> fitted =
         fitNull(search_.readings.full, {}, NoiseLevel::Estimate, search_.options.fit, search_.progress);
     if (!fitted) return fitted.diagnostics();
     onAll_ = std::move(*fitted);
     return Done{};
+}
+
+namespace {
+
+/// Root mean square of what a model leaves of each output [its unit].
+std::map<int, double> leftOf(const NullModel& model) {
+    std::map<int, double> squares, counts;
+    const std::vector<int> recordings = recordingsOf(model.variant.task, Role::Fit);
+    for (const ResidualChannel& c : model.channels) {
+        const auto recording = static_cast<std::size_t>(recordings[static_cast<std::size_t>(c.experiment)]);
+        const double unit = model.noise[recording][c.output];
+        squares[c.output] += unit * unit * model.fit.optimum.residuals.segment(c.begin, c.end - c.begin).squaredNorm();
+        counts[c.output] += c.end - c.begin;
+    }
+    for (auto& [output, square] : squares) square = std::sqrt(square / counts[output]);
+    return squares;
+}
+
+}  // namespace
+
+/// Whether means of neighbouring samples blur what the model follows: it leaves more of an output than on all samples,
+/// of which means leave less noise.
+bool Run::isBlurred(const NullModel& onMeans) const {
+    if (!onAll_ || search_.readings.thinning.factor < 2) return false;
+    const std::map<int, double> means = leftOf(onMeans), all = leftOf(*onAll_);
+    return std::any_of(means.begin(), means.end(), [&](const auto& left) {
+        const auto there = all.find(left.first);
+        return there != all.end() && left.second > largeResidual * there->second;
+    });
+}
+
+Text Run::shortened() const {
+    const Thinning& thinning = search_.readings.thinning;
+    if (!thinning.isFirstPart)
+        return phrase(
+            "long recordings: the search works on means of {} samples, the fit before and after it on all of them",
+            thinning.factor);
+    const Text part = phrase(
+        "long recordings, in which means of neighbouring samples would blur what is fast: the search works on their "
+        "first part, the fit before and after it on all of them");
+    if (thinning.factor < 2) return part;
+    return phrase("{} (on means of {} samples)", part, thinning.factor);
 }
 
 /// The model as given, fitted to sound samples from where it comes to its best optimum.
@@ -119,6 +173,12 @@ Outcome<Done> Run::fitAsGiven() {
         warnings.push_back(null->beginning->remark);
     }
     if (const Outcome<Done> fitted = fitOnAll(); !fitted) return fitted.diagnostics();
+    while (isBlurred(*null)) {
+        readings.thinning = finer(readings.thinning);
+        readings.searched.task = thinned(readings.full.task, readings.thinning);
+        null = fitNull(readings.searched, {}, NoiseLevel::Estimate, fromAnywhere, search_.progress);
+        if (!null) return null.diagnostics();
+    }
     fitWork_ = search_.work.simulated.done();  // without what other starts and faulty samples cost
     search_.journal.model("null fit", *null, "fitted");
     const bool isAtRest = !anyOutputMoves(readings.full.task);
@@ -132,10 +192,7 @@ Outcome<Done> Run::fitAsGiven() {
                    "of {} starts about them",
                    1 + otherStarts));
     if (onAll_) {
-        warnings.push_back(
-            phrase("long recordings: the search works on means of {} samples, the fit before "
-                   "and after it on all of them",
-                   readings.thinning));
+        warnings.push_back(shortened());
         if (hasFaults || isElsewhere)
             if (const Outcome<Done> fitted = fitOnAll(); !fitted) return fitted.diagnostics();
     }

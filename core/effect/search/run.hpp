@@ -8,8 +8,9 @@ namespace analogon {
 /// One search, from the model as given to the model that leaves noise.
 class Run {
 public:
+    /// `progress` must outlive it.
     Run(const EstimationTask& task, const DiscoverOptions& options, const Progress& progress)
-        : search_(task, options, progress) {}
+        : outside_(progress), search_(task, options, progress) {}
 
     Outcome<Finding> run();
 
@@ -26,7 +27,11 @@ private:
     void weighHeldValues();
     Outcome<Done> fitAtLast();
 
+    void takeBestOnAll();
     Outcome<Done> fitOnAll();
+    bool isBlurred(const NullModel& onMeans) const;
+    /// What the search works on of long recordings.
+    Text shortened() const;
     bool isOfBeginning(const NullModel& read) const;
     bool isOfMistakenUnit();
     bool isOfMistakenWiring();
@@ -34,6 +39,7 @@ private:
     bool isAsGiven() const;
     bool isOpen() const;
 
+    const Progress& outside_;  // which does not stop at the limit of the work
     SearchContext search_;
     NullModel first_;                 // the first fit
     std::optional<NullModel> onAll_;  // of the model as given, on every sample where the search works on means of them

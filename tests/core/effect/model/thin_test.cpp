@@ -28,7 +28,7 @@ Recording counting(int samples, Role role = Role::Fit) {
 TEST(Thinned, TakesMeansBehindTheFirstSample) {
     EstimationTask task;
     task.recordings = {counting(8)};
-    const EstimationTask shorter = thinned(task, 3);
+    const EstimationTask shorter = thinned(task, {3});
     const Recording& r = shorter.recordings.front();
     EXPECT_EQ(r.time, (std::vector<double>{0, 1.5, 3})) << "all steps are as long";
     EXPECT_EQ(r.inputs.row(0), (Eigen::RowVector3d(0, 3, 6)));
@@ -41,7 +41,7 @@ TEST(Thinned, LeavesOutWhatWasNotMeasured) {
     task.recordings = {counting(8)};
     Eigen::MatrixXd& y = task.recordings.edit().front().outputs;
     y(0, 3) = y(0, 5) = y(0, 6) = y(0, 7) = std::nan("");
-    const EstimationTask shorter = thinned(task, 3);
+    const EstimationTask shorter = thinned(task, {3});
     const Recording& r = shorter.recordings.front();
     EXPECT_EQ(r.outputs(0, 1), 30) << "of 20 and 40";
     EXPECT_TRUE(std::isnan(r.outputs(0, 2)));
@@ -51,25 +51,48 @@ TEST(Thinned, LeavesOutWhatWasNotMeasured) {
 TEST(Thinned, TakesTheMeanOfAHeldInputOverTheTimeThatItIsHeldFor) {
     EstimationTask task;
     task.recordings = {counting(8)};
-    const EstimationTask shorter = thinned(task, 3);
+    const EstimationTask shorter = thinned(task, {3});
     EXPECT_NEAR(shorter.recordings.front().inputs(1, 1), 8 * 1.0 / 1.5, 1e-12);
 }
 
 TEST(Thinned, LeavesAloneWhatOnlyValidates) {
     EstimationTask task;
     task.recordings = {counting(8), counting(8, Role::Validate)};
-    const EstimationTask shorter = thinned(task, 3);
+    const EstimationTask shorter = thinned(task, {3});
     EXPECT_EQ(shorter.recordings[0].time.size(), 3u);
     EXPECT_EQ(shorter.recordings[1].time.size(), 8u);
-    EXPECT_EQ(thinned(task, 1).recordings[0].time.size(), 8u);
+    EXPECT_EQ(thinned(task, {}).recordings[0].time.size(), 8u);
 }
 
 TEST(ThinningFor, BringsAllFittedRecordingsTogetherUnderTheLimit) {
     EstimationTask task;
     task.recordings = {counting(60), counting(41), counting(1000, Role::Validate)};
-    EXPECT_EQ(thinningFor(task, 101), 1);
-    EXPECT_EQ(thinningFor(task, 100), 3) << "an even raster stays even";
-    EXPECT_EQ(thinningFor(task, 50), 3);
+    EXPECT_TRUE(thinningFor(task, 101).isWhole());
+    EXPECT_EQ(thinningFor(task, 100).factor, 3) << "an even raster stays even";
+    EXPECT_EQ(thinningFor(task, 50).factor, 3);
+}
+
+TEST(Finer, IsAThirdOfTheMeansOfTheFirstPart) {
+    EXPECT_EQ(finer({17}).factor, 5);
+    EXPECT_EQ(finer({5}).factor, 1);
+    EXPECT_EQ(finer({3}).factor, 1);
+    EXPECT_TRUE(finer({3}).isFirstPart);
+    EXPECT_FALSE(finer({3}).isWhole());
+}
+
+TEST(Thinned, KeepsTheFirstPartOfEachRecording) {
+    EstimationTask task;
+    task.recordings = {counting(300), counting(100), counting(1000, Role::Validate)};
+    const EstimationTask part = thinned(task, {1, true}, 40);
+    EXPECT_EQ(part.recordings[0].time.size(), 30u);
+    EXPECT_EQ(part.recordings[0].outputs(0, 29), 290);
+    EXPECT_EQ(part.recordings[0].spares.front().values.size(), 30u);
+    EXPECT_EQ(part.recordings[1].inputs.cols(), 10);
+    EXPECT_EQ(part.recordings[2].time.size(), 1000u);
+    const EstimationTask means = thinned(task, {3, true}, 40);
+    EXPECT_EQ(means.recordings[0].time.size(), 30u);
+    EXPECT_EQ(means.recordings[0].time[1], 1.5);
+    EXPECT_EQ(thinned(task, {3, true}, 1000).recordings[0].time.size(), 100u) << "there are no more";
 }
 
 }  // namespace

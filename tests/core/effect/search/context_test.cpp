@@ -59,7 +59,7 @@ TEST(SearchContext, WorksOnMeansOfALongRecordAndReportsAllOfIt) {
     r.inputs = Eigen::MatrixXd::Constant(1, samples, 8);
     r.outputs = Eigen::MatrixXd::Constant(1, samples, 300);
     const SearchContext search(task, {}, {});
-    EXPECT_EQ(search.readings.thinning, 3);
+    EXPECT_EQ(search.readings.thinning.factor, 3);
     EXPECT_EQ(search.readings.full.task.recordings.front().time.size(), 13'000u);
     EXPECT_LE(search.readings.searched.task.recordings.front().time.size(), 6'000u);
 }

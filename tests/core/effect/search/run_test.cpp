@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 #include "core/effect/model/model_state.hpp"
 #include "tests/core/effect/search/warm_search.hpp"
 
@@ -76,6 +79,61 @@ TEST(Run, ThatIsStoppedAtTheLimitOfItsWorkSaysSo) {
     EXPECT_TRUE(finding->end.interrupted);
     EXPECT_NE(finding->kind, FindingKind::Adequate);
     EXPECT_NE(finding->kind, FindingKind::Unexplained);
+}
+
+/// A body so small that it follows its heater within a few samples, for so many: means of them would blur it. Its
+/// sensor lags by so much of a sample. [s]
+EstimationTask fastBody(int samples, double lag) {
+    constexpr int within = 200;
+    constexpr double interval = 40;  // [s], twice what the body takes
+    EstimationTask task = warmBody({{"joint.G", "W/K", 0.3, 0.01, 10}});
+    Recording r = warmBodyRecording("run", samples);
+    r.held = {"P"};
+    std::mt19937 random(4);
+    std::normal_distribution<double> noise(0, 0.02);
+    double T = 300, sensor = 300, power = 0;
+    for (int k = 0; k < samples; ++k) {
+        if (k % 5 == 0) power = static_cast<double>(random() % 8);
+        r.time.push_back(interval * k);
+        r.inputs(0, k) = power;
+        r.outputs(0, k) = (lag > 0 ? sensor : T) + noise(random);
+        for (int i = 0; i < within; ++i) {
+            if (lag > 0) sensor += interval / within * (T - sensor) / lag;
+            T += interval / within * (power - 0.2 * (T - 300)) / 4;
+        }
+    }
+    task.recordings = {r};
+    return task;
+}
+
+bool says(const Finding& finding, const std::string& words) {
+    return std::any_of(finding.warnings.begin(), finding.warnings.end(),
+                       [&](const Text& w) { return w.find(words) != std::string::npos; });
+}
+
+TEST(Run, WorksOnTheFirstPartOfARecordThatMeansWouldBlur) {
+    const Outcome<Finding> finding = analogon::Run(fastBody(7'000, 12), amongSensors(), {}).run();
+    ASSERT_TRUE(finding);
+    EXPECT_TRUE(says(*finding, "their first part"));
+    ASSERT_EQ(finding->effects.size(), 1u);
+    EXPECT_EQ(finding->effects.front().kind, "sensor.lag");
+    const EffectValue& lag = finding->effects.front().parameters.front();
+    EXPECT_NEAR(lag.value, 12, 0.3);
+    EXPECT_EQ(finding->final.experiments.front().time.size(), 7'000u);
+    const Outcome<Finding> slow = analogon::Run(laggingBody(3), amongSensors(), {}).run();
+    EXPECT_FALSE(says(*slow, "long recordings"));
+}
+
+TEST(Run, ThatIsStoppedOnFewerSamplesTellsNoErrorThatGrows) {
+    for (const double patience : {1e-6, 0.05, 0.5}) {
+        DiscoverOptions options = amongSensors();
+        options.patience = patience;
+        const EstimationTask task = fastBody(7'000, 12);
+        const Outcome<Finding> finding = analogon::Run(task, options, {}).run();
+        ASSERT_TRUE(finding);
+        EXPECT_EQ(finding->final.experiments.front().time.size(), 7'000u) << patience;
+        EXPECT_LE(errorPercentOf(finding->final, Role::Fit), errorPercentOf(finding->baseline, Role::Fit)) << patience;
+    }
 }
 
 }  // namespace
