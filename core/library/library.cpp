@@ -44,12 +44,12 @@ bool isWithin(std::string_view name, std::string_view outer) {
     return name == outer || (name.size() > outer.size() && name.starts_with(outer) && name[outer.size()] == '.');
 }
 
-/// Whether packages lie in a directory that is none itself.
-bool holdsPackages(const fs::path& directory) {
+/// Whether packages, or files of single classes, lie in a directory that is no package itself.
+bool holdsClasses(const fs::path& directory) {
     std::error_code problem;
     for (fs::directory_iterator entry(directory, problem), end; !problem && entry != end; entry.increment(problem)) {
         std::error_code lost;
-        if (fs::exists(entry->path() / "package.mo", lost)) return true;
+        if (entry->path().extension() == ".mo" || fs::exists(entry->path() / "package.mo", lost)) return true;
     }
     return false;
 }
@@ -95,7 +95,7 @@ Diagnostics Library::lazyFaults() const { return lazy_ ? lazy_->faults() : Diagn
 
 Outcome<Library> Library::withPath(const fs::path& path) const {
     std::error_code problem;
-    if (fs::is_directory(path, problem) && !fs::exists(path / "package.mo", problem) && holdsPackages(path))
+    if (fs::is_directory(path, problem) && !fs::exists(path / "package.mo", problem) && holdsClasses(path))
         return withDirectories({path});
     PackageLoader loader;
     loader.load(path);

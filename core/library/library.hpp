@@ -27,7 +27,8 @@ struct LibraryClass {
 class Library {
 public:
     /// Adds a package: a directory with package.mo (and package.order), or one .mo file. A directory that holds
-    /// packages is searched for them: what lies there is read when it is named, and classes() does not list it.
+    /// packages, or files of single classes, is searched for them: what lies there is read when it is named, and
+    /// classes() does not list it.
     Outcome<Library> withPath(const std::filesystem::path& path) const;
     /// Adds one text; a class of the same qualified name is replaced, with all it holds.
     Outcome<Library> withSource(SourcePtr source) const;

@@ -54,6 +54,27 @@ TEST_F(SimulateClass, LeavesTracesAsItsExperimentSays) {
     EXPECT_THAT(contentOf(out / "traces.csv"), HasSubstr("\n0.6,"));
 }
 
+/// A directory of models that are in no package: each names the others by its file.
+TEST_F(SimulateClass, FindsTheClassesOfADirectoryByTheirFiles) {
+    const fs::path models = scratch / "models";
+    fs::create_directories(models);
+    std::ofstream(models / "Air.mo") << "model Air parameter Real T = 290; end Air;\n";
+    std::ofstream(models / "Body.mo")
+        << "model Body outer Air air; Real T(start = 350, fixed = true); equation der(T) = air.T - T; end Body;\n";
+    std::ofstream(models / "Rig.mo") << "model Rig inner Air air(T = 300); Body a; Body b; end Rig;\n";
+    std::ofstream(models / "Other.mo") << "model Other Real x end Other;\n";
+    const auto simulated = [&](const std::string& name) {
+        return run({"simulate", "--class", name, "--library", models.string(), "--stop", "1", "--out", out.string()});
+    };
+    const Result whole = simulated("Rig");
+    ASSERT_EQ(whole.status, done) << whole.err;
+    EXPECT_THAT(header(), HasSubstr(",b.T"));
+    EXPECT_THAT(simulated("Body").err, HasSubstr("air"));
+    const Result broken = simulated("Other");
+    EXPECT_EQ(broken.status, inputAtFault) << "the fault of a file tells where it is used, and hinders no other";
+    EXPECT_THAT(broken.err, HasSubstr("Other.mo"));
+}
+
 TEST_F(SimulateClass, TellsTheVariablesThatFitAPattern) {
     ASSERT_EQ(simulate({"--variables", "v,*[?],der(*)"}).status, done);
     EXPECT_EQ(header(), "time,v,span[1],span[2],der(h),der(v)");
