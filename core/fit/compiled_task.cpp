@@ -50,6 +50,9 @@ Diagnostics checkNames(const FlatModel& model, const std::vector<std::string>& n
         } else if (variable.type != FlatType::Real) {
             faults.push_back(
                 error(phrase("{} is not a Real parameter and cannot be fitted or set", name), variable.declared));
+        } else if (variable.isFoundAtStart) {
+            faults.push_back(error(phrase("{} follows from an initial equation and cannot be fitted or set", name),
+                                   variable.value.valid() ? variable.value : variable.declared));
         } else if (variable.isFinal) {
             faults.push_back(error(phrase("{} is final and cannot be fitted or set", name),
                                    variable.value.valid() ? variable.value : variable.declared));

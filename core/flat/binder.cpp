@@ -301,22 +301,33 @@ void Binder::checkParameter(VariableId id) {
                          variable.value, phrase("remove the prefix 'parameter', or use parameters only"));
 }
 
-/// What an initial equation says of a discrete parameter with fixed = false, in terms of parameters alone, is its
-/// value: it is no number that could be searched for.
-void Binder::bindDiscreteParameters() {
-    std::erase_if(work_.model.initialEquations, [this](const FlatEquation& equation) {
-        for (const auto& [target, value] :
-             {std::pair(equation.left, equation.right), std::pair(equation.right, equation.left)}) {
-            const ExpressionNode node = work_.pool[target];
-            if (node.operation != Operation::Variable || !free_.contains(node.variable)) continue;
-            FlatVariable& variable = work_.model.variables[node.variable.value];
-            if (variable.type == FlatType::Real || variable.binding.valid()) continue;
-            if (!work_.translator->isParametric(value)) continue;
-            variable.binding = value;
-            variable.value = equation.span;
-            return true;
-        }
-        return false;
+bool Binder::takeInitialValue(const FlatEquation& equation) {
+    for (const auto& [target, value] :
+         {std::pair(equation.left, equation.right), std::pair(equation.right, equation.left)}) {
+        const ExpressionNode node = work_.pool[target];
+        if (node.operation != Operation::Variable || !free_.contains(node.variable)) continue;
+        FlatVariable& variable = work_.model.variables[node.variable.value];
+        if (variable.binding.valid() || !work_.translator->isParametric(value)) continue;
+        variable.binding = value;
+        variable.value = equation.span;
+        if (variable.type != FlatType::Real) return true;
+        variable.variability = FlatVariability::Parameter;
+        variable.isFinal = true;  // nobody else may give it another value
+        bound_.insert(node.variable);
+        return true;
+    }
+    return false;
+}
+
+/// Initial equations that speak of each other's parameters may stand in any order.
+void Binder::bindFreeParameters() {
+    while (std::erase_if(work_.model.initialEquations, [this](const FlatEquation& e) { return takeInitialValue(e); })) {
+    }
+    std::erase_if(work_.model.equations, [this](const FlatEquation& equation) {
+        const ExpressionNode left = work_.pool[equation.left];
+        if (left.operation != Operation::Derivative || !bound_.contains(left.variable)) return false;
+        --work_.records[left.variable.value].owner->component().equations;
+        return true;
     });
 }
 
@@ -326,10 +337,9 @@ bool Binder::followsFoundAtStart(const FlatVariable& variable) {
     work_.pool.evaluate(variable.binding, [&](const ExpressionNode& leaf) {
         if (leaf.operation != Operation::Variable)
             runs = true;
-        else if (const FlatVariable& used = work_.variable(leaf.variable); used.isFoundAtStart)
-            follows = true;
-        else if (used.variability == FlatVariability::Continuous)
-            runs = true;
+        else if (const FlatVariable& used = work_.variable(leaf.variable);
+                 used.variability == FlatVariability::Continuous)
+            (used.isFoundAtStart ? follows : runs) = true;
         return 0.0;
     });
     return follows && !runs;
@@ -357,7 +367,7 @@ void Binder::freeFollowers() {
 }
 
 void Binder::checkParameters() {
-    bindDiscreteParameters();
+    bindFreeParameters();
     freeFollowers();
     auto& variables = work_.model.variables;
     for (std::uint32_t i = 0; i < variables.size() && !work_.messages.full(); ++i)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/flat/binder.hpp"
 #include "core/flat/connections.hpp"
 #include "core/flat/events.hpp"
 #include "core/flat/executor.hpp"
@@ -181,8 +182,11 @@ void Equations::equal(const Value& leftValue, const Value& rightValue, const syn
     if (work_.model.equations.size() + found_.size() + left->elements.size() > Instantiator::mostScalars)
         return work_.messages.fatal(phrase("the model has more than {} equations", Instantiator::mostScalars),
                                     equation.span);
-    for (std::size_t k = 0; k < left->elements.size(); ++k)
-        found_.push_back({left->elements[k], right->elements[k], equation.span, scope.instance->name, false});
+    const bool mayBeValue = isInitial_ && guards_.empty();  // known at once, what follows may need to know it
+    for (std::size_t k = 0; k < left->elements.size(); ++k) {
+        const FlatEquation one{left->elements[k], right->elements[k], equation.span, scope.instance->name, false};
+        if (!mayBeValue || !work_.binder->takeInitialValue(one)) found_.push_back(one);
+    }
 }
 
 /// Branches on parameters are chosen now; from the first condition that is not known yet on, the rest is switched.

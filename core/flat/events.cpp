@@ -422,8 +422,9 @@ bool Events::check(const syntax::Expression& call, ExpressionId guard, const Sco
     }
     const ExpressionId holds =
         isTerminate ? guard : pool.binary(Operation::Or, pool.unary(Operation::Not, guard), condition->elements[0]);
-    if (pool.isConstant(holds) && !isTerminate) {
-        if (pool.isConstant(holds, 0) && !isWarning) {
+    const bool mayBeKnown = !isTerminate && (pool.isConstant(holds) || work_.translator->isParametric(holds));
+    if (const auto known = mayBeKnown ? work_.translator->constantNumber(holds, false) : std::nullopt) {
+        if (*known == 0 && !isWarning) {
             work_.messages.error(phrase("{}", text->texts[0]), call.span,
                                  phrase("the condition of 'assert' does not hold"));
             return false;

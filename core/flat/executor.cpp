@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/flat/binder.hpp"
 #include "core/flat/class_rules.hpp"
 #include "core/flat/events.hpp"
 #include "core/flat/external_functions.hpp"
@@ -727,6 +728,7 @@ void Executor::section(const syntax::EquationSection& section, const Scope& scop
         FlatEquation equation{
             work_.pool.variable(id),      values.at(id.value), section.keyword, scope.instance->name, false,
             work_.variable(id).isDiscrete};
+        if (isInitial_ && work_.binder->takeInitialValue(equation)) continue;
         (isInitial_ ? work_.model.initialEquations : work_.model.equations).push_back(equation);
         if (!isInitial_) ++scope.instance->component().equations;
     }

@@ -12456,6 +12456,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>{} ist kein reeller Parameter und kann weder angepasst noch gesetzt werden</translation>
     </message>
     <message>
+        <source>{} follows from an initial equation and cannot be fitted or set</source>
+        <translation>{} folgt aus einer Anfangsgleichung und kann weder angepasst noch gesetzt werden</translation>
+    </message>
+    <message>
         <source>{} is final and cannot be fitted or set</source>
         <translation>{} ist „final“ und kann weder angepasst noch gesetzt werden</translation>
     </message>

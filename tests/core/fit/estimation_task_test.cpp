@@ -20,11 +20,14 @@ model Oven
   parameter Real G(unit = "W/K", min = 0) = 2;
   parameter Real T_start(unit = "K") = 293;
   final parameter Real fixedOne = 1;
+  parameter Real foundOne(fixed = false);
   Real T(start = T_start, fixed = true);
 equation
   C*der(T) = fixedOne*power - loss;
   loss = G*(T - T_amb);
   T_wall = T;
+initial equation
+  foundOne = 2*fixedOne;
 end Oven;
 )";
 
@@ -143,6 +146,8 @@ TEST(Prepare, NamesWhatIsWrong) {
     task = ovenTask();
     task.parameters[0].name = "fixedOne";
     EXPECT_THAT(faultOf(task), HasSubstr("fixedOne is final"));
+    task.parameters[0].name = "foundOne";
+    EXPECT_THAT(faultOf(task), HasSubstr("foundOne follows from an initial equation"));
     task = ovenTask();
     task.recordings.edit()[2].starts[0].parameter = "T_begin";
     EXPECT_THAT(faultOf(task), HasSubstr("Oven has no parameter T_begin"));

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <string>
@@ -22,10 +24,11 @@ std::string nameOf(const ::testing::TestParamInfo<Example>& info) {
     return name.substr(name.rfind('.') + 1);
 }
 
-/// A class of the library in that directory, from its text to its trajectory.
+/// A class of the library in that directory, or of a text beside it, to its trajectory.
 Outcome<EventTrajectory> simulated(const char* directory, const char* name, const std::vector<std::string>& variables,
-                                   const EventRunOptions& options) {
-    const Outcome<Library> library = Library().withPath(directory);
+                                   const EventRunOptions& options, const char* text = nullptr) {
+    Outcome<Library> library = Library().withPath(directory);
+    if (library && text) library = library->withSource(std::make_shared<const Source>("m.mo", text));
     if (!library) return library.diagnostics();
     const Outcome<FlatModel> flat = flatten(*library, name);
     if (!flat) return flat.diagnostics();
@@ -59,6 +62,30 @@ INSTANTIATE_TEST_SUITE_P(
                               "ThreePhaseTwoLevel_PWM",
                               0.005}),
     nameOf);
+
+/// The coefficients of a filter are parameters that its initial equations work out, by functions of each other.
+/// A Butterworth band pass of order n lets 1/sqrt(1 + ((f^2 - f0^2)/(f B))^(2n)) through, f0^2 = f1 f2, B = f2 - f1.
+TEST(StandardLibrary, ABandPassLetsThroughWhatItsFormulaSays) {
+    const char* const path = std::getenv("MODELICAPATH");
+    if (!path || !*path) GTEST_SKIP() << "MODELICAPATH names no directory with the Modelica Standard Library";
+    EventRunOptions options;
+    options.stop = 1;
+    options.interval = 1e-5;
+    const Outcome<EventTrajectory> run = simulated(path, "M", {"filter.y"}, options, R"(
+        model M
+          Modelica.Blocks.Continuous.Filter filter(
+            analogFilter = Modelica.Blocks.Types.AnalogFilter.Butterworth, order = 3, f_min = 20, f_cut = 50,
+            filterType = Modelica.Blocks.Types.FilterType.BandPass,
+            init = Modelica.Blocks.Types.Init.InitialState);
+        equation
+          filter.u = sin(2*Modelica.Constants.pi*55*time);
+        end M;)");
+    ASSERT_TRUE(run) << format(run.diagnostics());
+    double most = 0;
+    for (std::size_t k = 0; k < run->time.size(); ++k)
+        if (run->time[k] > 0.9) most = std::max(most, run->rows[k][0]);
+    EXPECT_NEAR(most, 1 / std::sqrt(1 + std::pow((55.0 * 55 - 1000) / (55 * 30), 6)), 1e-4);
+}
 
 /// A permanent-magnet machine that brakes through a diode bridge, with what an integration of equations written by hand
 /// gives: space phasors with Ls = 0.1/w0, Lm = 0.3/w0, the bridge as six resistors of two slopes, an implicit
