@@ -43,7 +43,7 @@ double EventRun::nextTimeEvent() const {
     double next = never;
     for (const Clock& clock : clocks_) next = std::min(next, clock.next());
     for (const DelayHistory& delay : delays_) next = std::min(next, delay.nextArrival());
-    const double least = time_ + 2e-13 * std::max(1.0, std::fabs(time_));
+    const double least = time_ + 2e-13 * sizeOf(time_);
     for (const HybridModel::Relation& r : model_.relations) {
         if (!r.isOfTime) continue;
         const double zero = -offsetOf(r.offset) / r.factor;
@@ -255,9 +255,9 @@ bool EventRun::advance(double interval) {
     const double kink = drive_ ? drive_->signals.nextStop() : never;
     const double known = drive_ && drive_->signals.isJumpNext() ? std::min(kink, nextTimeEvent()) : nextTimeEvent();
     const double stop = std::min({known, kink, options_.stop});
-    const bool isKnown = known <= stop + 1e-13 * std::max(1.0, std::fabs(stop));
+    const bool isKnown = known <= stop + 1e-13 * sizeOf(stop);
     if (!takeSlots()) return hasNoValue(system_.failure(workspace_));
-    if (stop <= time_ + 1e-13 * std::max(1.0, std::fabs(time_))) {
+    if (stop <= time_ + 1e-13 * sizeOf(time_)) {
         time_ = stop;
         return timeEvent(isKnown);
     }
@@ -307,13 +307,13 @@ bool EventRun::advance(double interval) {
 }
 
 bool EventRun::timeEvent(bool isEvent) {
-    const bool isStop = drive_ && drive_->signals.nextStop() <= time_ + 1e-13 * std::max(1.0, std::fabs(time_));
+    const bool isStop = drive_ && drive_->signals.nextStop() <= time_ + 1e-13 * sizeOf(time_);
     if (!isEvent) {
         if (isStop) drive_->signals.passStop();
         return record() && (!isStop || restart());
     }
     for (std::size_t k = 0; k < model_.samples.size(); ++k)
-        if (clocks_[k].next() <= time_ + 1e-13 * std::max(1.0, std::fabs(time_))) {
+        if (clocks_[k].next() <= time_ + 1e-13 * sizeOf(time_)) {
             pending_.push_back(model_.samples[k].slot);
             ++clocks_[k].count;
         }

@@ -128,9 +128,8 @@ void EventRun::judge(const std::set<int>& crossed, bool isFirst, bool isSingle) 
         if (r.isOfTime) {
             // exact where it crosses, and then as right behind it
             const double zero = -offsetOf(r.offset) / r.factor;
-            difference = time_ == zero || std::fabs(time_ - zero) < 2e-13 * std::max(1.0, std::fabs(zero))
-                             ? r.factor
-                             : r.factor * (time_ - zero);
+            difference =
+                time_ == zero || std::fabs(time_ - zero) < 2e-13 * sizeOf(zero) ? r.factor : r.factor * (time_ - zero);
             slot = holds(r.operation, difference);
             continue;
         }

@@ -167,7 +167,7 @@ bool EventRun::beginTangents(const std::set<int>& crossed) {
 }
 
 EventMoment EventRun::momentOf(const std::set<int>& crossed) const {
-    const auto isNow = [&](double t) { return std::fabs(t - time_) < 1e-12 * std::max(1.0, std::fabs(time_)); };
+    const auto isNow = [&](double t) { return std::fabs(t - time_) < 1e-12 * sizeOf(time_); };
     const auto relations = static_cast<int>(model_.relations.size());
     for (const int k : crossed)
         return {k < relations ? model_.relations[static_cast<std::size_t>(k)].reading

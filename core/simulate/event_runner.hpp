@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <set>
@@ -27,6 +29,11 @@ private:
     static constexpr double never = std::numeric_limits<double>::infinity();
     static constexpr double hysteresis = 1e-10;  // of a relation, beside the sizes that it compares
 
+    /// The size of a time: those that differ by less than some rounding errors of it are one. A run of picoseconds has
+    /// none of a second.
+    double sizeOf(double time) const {
+        return std::max(std::fabs(time), std::min(1.0, options_.stop - options_.start));
+    }
     static bool isUpward(Operation operation) {
         return operation == Operation::Greater || operation == Operation::GreaterEqual;
     }

@@ -65,6 +65,18 @@ TEST(EventRun, TheFirstSampleComesInTheEventBehindTheStart) {
     EXPECT_EQ(run.last("n"), 3);
 }
 
+TEST(EventRun, TellsTimesOfPicosecondsApart) {
+    const Simulated run = runOf(R"(
+        model M Real x(start = 0, fixed = true), y;
+        equation
+          y = if time < 4e-12 then 0 else if time < 4.1e-12 then (time - 4e-12)/1e-13 else 1;
+          der(x) = 1e12*y;
+        end M;)",
+                                {"x"}, 1e-11);
+    ASSERT_RAN(run);
+    EXPECT_NEAR(run.last("x"), 0.05 + 5.9, 1e-6);
+}
+
 TEST(EventRun, SamplesMayBeginWhereAnInitialEquationSays) {
     const Simulated run = runOf(R"(
         model M parameter Real f = 4; discrete Real y(start = 0, fixed = true); Real x(start = 0, fixed = true);
