@@ -17,6 +17,7 @@
 #include "core/base/stopwatch.hpp"
 #include "core/base/unit.hpp"
 #include "core/fit/difference_slopes.hpp"
+#include "core/fit/kink.hpp"
 #include "core/fit/misfit.hpp"
 #include "core/fit/optimum_uncertainty.hpp"
 #include "core/fit/partial_records.hpp"
@@ -169,7 +170,7 @@ std::optional<PartialDescent> descendOnPart(const FitProblem& problem, const Eig
     if (!part) return std::nullopt;
     for (std::size_t i = 0; i < problem.parameters.size(); ++i)
         part->problem.parameters[i].start = start[static_cast<Eigen::Index>(i)];
-    options.keepsOptimum = false;
+    options.keepsOptimum = options.goesOnAtKinks = false;
     options.costTolerance = std::max(options.costTolerance, roughly);
     PartialDescent result{std::move(*part), {}};
     Descent& there = result.descent = descend(result.part.problem, start, options, progress, result.part.plans);
@@ -246,6 +247,11 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
         iterations += minimum.iterations;
     }
     minimum.iterations = iterations;
+    const bool mayGoOn = minimum.isAtKink || (minimum.status == FitStatus::Converged && mayHaveKinks(problem));
+    if (options.goesOnAtKinks && mayGoOn && !isDirect(options.method)) {
+        minimum = pastKink(problem, minimum, misfit, coordinates);
+        iterations = minimum.iterations;
+    }
     if (minimum.status == FitStatus::Converged) {
         const int lost =
             lostInfluence(problem, coordinates, descent.startSlopes, misfit.reduced(minimum.values), minimum);

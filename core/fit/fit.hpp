@@ -39,6 +39,9 @@ struct FitOptions {
         true};  // long records: least squares goes most of the way on a part (core/fit/partial_records.hpp)
     /// False: FitResult::optimum stays empty; the fit then needs no memory that grows with the record.
     bool keepsOptimum{true};
+    /// Where the misfit has kinks the fit goes on without slopes (core/fit/kink.hpp). Off where fits are compared with
+    /// each other: all of them then end where their slopes do.
+    bool goesOnAtKinks{};
     /// Fills FitEstimate::robustError (keepsOptimum must hold).
     bool findsRobustErrors{};
     SimulationOptions simulation;

@@ -79,7 +79,8 @@ private:
             return end(FitStatus::Converged, phrase("converged"));
         }
         if (flatSteps_ >= 3 && expected_ <= 1e-6 * cost) return end(FitStatus::Converged, phrase("converged"));
-        if (flatSteps_ >= 8 || isCreeping())
+        minimum.isAtKink = isCreeping();
+        if (flatSteps_ >= 8 || minimum.isAtKink)
             return end(FitStatus::IterationLimit,
                        phrase("stopped after {} iterations in a flat valley: the cost hardly falls any more, and the "
                               "parameters still move",
@@ -131,6 +132,7 @@ private:
         }
         // Rounding, or a kink, hides the last digits of the cost.
         const bool isDone = expected_ <= 1e-8 * cost || isWithin(full_, 1e-8);
+        minimum.isAtKink = !isDone && misfit_.failure().empty();
         minimum.status = isDone ? FitStatus::Converged : FitStatus::Failed;
         minimum.message = isDone                      ? phrase("converged")
                           : misfit_.failure().empty() ? phrase("no step lowers the cost")

@@ -129,6 +129,7 @@ struct Minimum {
     double cost{std::numeric_limits<double>::infinity()};
     std::vector<bool> atBound;
     int iterations{};
+    bool isAtKink{};  // the slopes promise a fall that no step along them brings
 };
 
 /// Levenberg-Marquardt of our own (near the optimum it begins with the full Gauss-Newton step); the same by Ceres with

@@ -194,7 +194,9 @@ Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const P
     Outcome<EstimationTask> task = unlessStopped(progress, [&] { return validTask(study, options, Purpose::Fit); });
     if (!task) return task.diagnostics();
     if (Diagnostics faults = checkProfiled(*task, options.profiled); !faults.empty()) return faults;
-    Outcome<ModelState> state = fitModel(*task, options.discover.fit, progress);
+    FitOptions alone = options.discover.fit;
+    alone.goesOnAtKinks = true;
+    Outcome<ModelState> state = fitModel(*task, alone, progress);
     if (!state) return state.diagnostics();
     if (Diagnostics faults = failures(*state, true); !faults.empty()) return faults;
     const auto told = [&](bool isInterrupted) {
