@@ -212,9 +212,17 @@ bool EventRun::settleOnce(const std::set<int>& crossed, int round, bool isInitia
     return true;
 }
 
+/// At the start a branch that nobody could judge yet may have no value (a current that is divided by a voltage of 0):
+/// then the other branches are tried.
+void EventRun::turnRelations() {
+    for (const HybridModel::Relation& r : model_.relations)
+        if (double& slot = slots_[static_cast<std::size_t>(r.slot)]; !r.isOfTime) slot = slot == 0;
+}
+
 /// Continuous and discrete quantities in turn, until neither moves.
 bool EventRun::settle(const std::set<int>& crossed, bool isInitial) {
     int moved = 0;
+    bool isTurned = false;
     const std::vector<double> entry = slots_;
     hasSwitched_.assign(model_.relations.size(), 0);
     for (int round = 0; round < mostIterations; ++round) {
@@ -226,7 +234,12 @@ bool EventRun::settle(const std::set<int>& crossed, bool isInitial) {
             isRound_ = readNow(isInitial) && solveStarts(isInitial);
             isStart = isRound_ && takeStarts();
         }
-        if (!isRound_ && round > 20) return hasNoValue(system_.failure(workspace_));
+        if (!isRound_ && round > 20) {
+            if (!isInitial || std::exchange(isTurned, true)) return hasNoValue(system_.failure(workspace_));
+            turnRelations();
+            round = 0;
+            continue;
+        }
         if (!settleOnce(crossed, round, isInitial, isStart, moved)) return false;
         if (slots_ == before && isRound_ && !isStart)
             return !tangents_ || isInitial || tangents_->settled(point()) || hasNoTangent();

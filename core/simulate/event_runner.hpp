@@ -76,6 +76,7 @@ private:
     bool hasNoValue(const std::string& variable);
     std::string nameOf(int slot) const;
     bool settleOnce(const std::set<int>& crossed, int round, bool isInitial, bool isStart, int& moved);
+    void turnRelations();
     bool settle(const std::set<int>& crossed, bool isInitial);
     bool pass(const std::vector<double>& entry, const std::set<int>& crossed, int moved);
     bool reinitialise(bool& isDone);

@@ -65,6 +65,21 @@ TEST(EventRun, TheFirstSampleComesInTheEventBehindTheStart) {
     EXPECT_EQ(run.last("n"), 3);
 }
 
+TEST(EventRun, AStartWithoutAValueInOneBranchIsFoundInTheOther) {
+    // the law of large negative voltages divides by them
+    const Simulated run = runOf(R"(
+        model M Real v(start = 0), i; Real x(start = 0, fixed = true);
+        equation
+          i = if v > -0.1 then 1e-3*(exp(10*v) - 1) else -(1e-3 + 1e-4/v)*v/v;
+          v + 100*i = x;
+          der(x) = 1;
+        end M;)",
+                                {"v", "i"});
+    ASSERT_RAN(run);
+    const double v = run.last("v");
+    EXPECT_NEAR(v + 0.1 * (std::exp(10 * v) - 1), 1, 1e-6);
+}
+
 TEST(EventRun, TellsTimesOfPicosecondsApart) {
     const Simulated run = runOf(R"(
         model M Real x(start = 0, fixed = true), y;
