@@ -354,16 +354,16 @@ end Limited;
     EXPECT_EQ(message.find("too far", cause + 1), std::string::npos) << message;
 }
 
-TEST(FitThroughEvents, StandardErrorsOfABouncingBallAreThoseOfManyRecordings) { expectRight(errorRatios(ball(), 200)); }
+TEST(FitThroughEvents, StandardErrorsOfABouncingBallAreThoseOfManyRecordings) { expectRight(errorRatios(ball(), 100)); }
 
 TEST(FitThroughEvents, StandardErrorsOfDryFrictionAreThoseOfManyRecordings) {
-    expectRight(errorRatios(shaft(ownShaft()), 60));
+    expectRight(errorRatios(shaft(ownShaft()), 30));
 }
 
 TEST(FitThroughEvents, StandardErrorsOfTheTableOfABearingAreThoseOfManyRecordings) {
     const char* const path = std::getenv("MODELICAPATH");
     if (!path || !*path) GTEST_SKIP() << "MODELICAPATH names no directory with the Modelica Standard Library";
-    expectRight(errorRatios(shaft(bearingShaft(path)), 20));
+    expectRight(errorRatios(shaft(bearingShaft(path)), 10));
 }
 
 }  // namespace
