@@ -47,13 +47,20 @@ namespace {
 
 Outcome<FlatModel> flattened(const Library& library, std::string_view className, const std::vector<std::string>& free) {
     const LibraryClass* definition = library.find(className);
+    if (const Diagnostics faults = library.lazyFaults(); !definition && hasError(faults)) return faults;
     if (!definition)
         return error(phrase("the class '{}' is not known", className), {}, didYouMean(className, library.names()));
     Flattening work(library);
     work.free.insert(free.begin(), free.end());
     work.model.name = definition->qualifiedName;
     run(work, *definition);
-    if (work.messages.hasErrors()) return work.messages.diagnostics();
+    if (work.messages.hasErrors()) {
+        // a class is not known where its file cannot be read
+        Diagnostics all = work.messages.diagnostics();
+        const Diagnostics faults = library.lazyFaults();
+        all.insert(all.end(), faults.begin(), faults.end());
+        return all;
+    }
     return Outcome<FlatModel>(std::move(work.model), work.messages.diagnostics());
 }
 

@@ -7,6 +7,7 @@
 namespace analogon::cli {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -73,6 +74,8 @@ TEST_F(SimulateClass, FindsTheClassesOfADirectoryByTheirFiles) {
     const Result broken = simulated("Other");
     EXPECT_EQ(broken.status, inputAtFault) << "the fault of a file tells where it is used, and hinders no other";
     EXPECT_THAT(broken.err, HasSubstr("Other.mo"));
+    std::ofstream(models / "User.mo") << "model User Other other; end User;\n";
+    EXPECT_THAT(simulated("User").err, AllOf(HasSubstr("'Other' is not known"), HasSubstr("Other.mo")));
 }
 
 TEST_F(SimulateClass, TellsTheVariablesThatFitAPattern) {
