@@ -57,7 +57,9 @@ Outcome<ModelState> fitModel(const EstimationTask& task, const FitOptions& optio
     for (const Role role : {Role::Fit, Role::Validate})
         for (Text& sentence : wrongStarts(*found, role)) found->remarks.push_back(std::move(sentence));
     if (progress.stopRequested()) return found;
-    if (const auto reading = heldReading(null, options, progress))
+    FitOptions compared = options;
+    compared.goesOnAtKinks = false;  // readings are told apart by how much they leave, each fitted alike
+    if (const auto reading = heldReading(null, compared, progress))
         for (Text& remark : heldRemarks(task, *reading, errorPercentOf(*found, Role::Fit), false))
             found->remarks.push_back(std::move(remark));
     return found;
