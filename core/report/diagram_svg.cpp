@@ -17,12 +17,28 @@ namespace analogon {
 
 namespace {
 
-constexpr double markGap = 3, margin = 6;                               // [diagram units]
-constexpr double leastName = 5.5;                                       // [diagram units]
-constexpr double besideWidth = 430, wholeWidth = 940, nameHeight = 11;  // [px] of the page
-constexpr double widestBeside = 400;     // [diagram units] a wider diagram has the page to itself
-constexpr double characterWidth = 0.58;  // of the size of a letter, on average
-constexpr std::size_t longestName = 28;  // [byte]
+constexpr double markGap = 3, margin = 6;  // [diagram units]
+constexpr double leastName = 5.5;          // [diagram units]
+constexpr double characterWidth = 0.58;    // of the size of a letter, on average
+constexpr std::size_t longestName = 28;    // [byte]
+
+/// The room of two diagrams where they are shown.
+struct Room {
+    double beside, whole, nameHeight;  // [px] of one of two, of one alone
+    double widestBeside;               // [diagram units] a wider diagram has the whole width to itself
+};
+constexpr Room onPage{430, 940, 11, 400}, onPaper{310, 640, 9, 350};
+constexpr double highestOnPaper = 380;     // [px] two of them and their legend fit on A4
+constexpr double largestScaleOnPaper = 2;  // [px per diagram unit]
+
+/// How a kind of thing is painted: by the style of the page, or where there is none by itself.
+struct Ink {
+    const char *kind, *attributes;
+};
+constexpr Ink nameInk{"class=\"name\"", "fill=\"#3a4048\""},
+    markedInk{"class=\"marked\"", "fill=\"#c2185b\" font-weight=\"bold\""},
+    markInk{"class=\"mark\"", "fill=\"#c2185b\" fill-opacity=\"0.1\" stroke=\"#c2185b\""},
+    unknownInk{"class=\"unknown\"", "stroke=\"#777777\" stroke-dasharray=\"4 3\""};
 
 /// What is drawn spans this much of the diagram, y upward.
 struct Bounds {
@@ -70,8 +86,9 @@ private:
 
 class Picture {
 public:
-    Picture(const Diagram& diagram, const std::vector<DiagramMark>& marks, double nameSize, Symbols& symbols)
-        : diagram_(diagram), marks_(marks), nameSize_(nameSize), symbols_(symbols) {}
+    Picture(const Diagram& diagram, const std::vector<DiagramMark>& marks, double nameSize, Symbols& symbols,
+            bool isAlone = false)
+        : diagram_(diagram), marks_(marks), nameSize_(nameSize), symbols_(symbols), isAlone_(isAlone) {}
 
     /// The SVG element, with the definitions that are given inside.
     std::string write(const std::string& title, const std::string& definitions) const {
@@ -86,6 +103,21 @@ public:
             definitions, body_);
     }
 
+    /// A whole file, for what knows no page and no order of painting; the width is that of the room.
+    DiagramDrawing writeAlone(double room) const {
+        const double width = bounds_.right - bounds_.left + 2 * margin,
+                     height = bounds_.high - bounds_.low + 2 * margin;
+        const double scale = std::min({room / width, highestOnPaper / height, largestScaleOnPaper});
+        return {
+            fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"{} {} {} {}\" "
+                        "stroke-width=\"{}\">{}<g fill=\"none\" font-family=\"sans-serif\" "
+                        "text-anchor=\"middle\">{}</g></svg>",
+                        svgNumber(scale * width), svgNumber(scale * height), svgNumber(bounds_.left - margin),
+                        svgNumber(-bounds_.high - margin), svgNumber(width), svgNumber(height), svgNumber(lineWidth()),
+                        symbols_.definitions(), body_),
+            scale * width, scale * height};
+    }
+
     void draw() {
         for (const Wire& wire : diagram_.wires) drawWire(wire);
         for (const Block& block : diagram_.blocks) drawBlock(block);
@@ -96,6 +128,8 @@ public:
 private:
     /// A pixel or a little more, where a name is as high as it should be.
     double lineWidth() const { return 0.1 * nameSize_; }
+
+    const char* painted(const Ink& ink) const { return isAlone_ ? ink.attributes : ink.kind; }
 
     void drawWire(const Wire& wire) {
         std::string points;
@@ -126,7 +160,7 @@ private:
         const Mapping inDiagram = [&](const Point& p) { return map(block.placement, block.icon.coordinates, p); };
         Bounds body = boundsOf(block.icon.coordinates, inDiagram);
         body_ += "<g><title>" + escapeHtml(block.name) + "</title>";
-        if (!block.isResolved || block.icon.primitives.empty()) box(body, 0, "class=\"unknown\"");
+        if (!block.isResolved || block.icon.primitives.empty()) box(body, 0, painted(unknownInk));
         use(block.icon, inDiagram);
         for (const Port& port : block.ports) {
             const Mapping ofPort = [&](const Point& p) {
@@ -140,10 +174,15 @@ private:
         const auto isOfBlock = [&](const DiagramMark& mark) { return mark.block == block.name; };
         const bool isMarked = std::any_of(marks_.begin(), marks_.end(), isOfBlock);
         if (isMarked)
-            box(body, markGap, fmt::format("class=\"mark\" rx=\"2\" stroke-width=\"{}\"", svgNumber(2 * lineWidth())));
+            box(body, markGap,
+                fmt::format("{} rx=\"2\" stroke-width=\"{}\"", painted(markInk), svgNumber(2 * lineWidth())));
         const std::string name = shortened(block.name, longestName);
         const double x = body.centre().x, y = body.low - (isMarked ? markGap : 0) - 1.3 * nameSize_;
-        text({x, y + 0.3 * nameSize_}, nameSize_, name, isMarked ? "class=\"marked\"" : "class=\"name\"");
+        const Ink& ink = isMarked ? markedInk : nameInk;
+        const Point foot{x, y + 0.3 * nameSize_};
+        if (isAlone_)  // what lies below a name must not run through it
+            text(foot, nameSize_, name, std::string(ink.attributes) + " stroke=\"#ffffff\" stroke-width=\"2\"");
+        text(foot, nameSize_, name, painted(ink));
         body_ += "</g>";
         const double half = characterWidth * nameSize_ * static_cast<double>(displayWidth(name)) / 2;
         bounds_.take(body);
@@ -184,6 +223,7 @@ private:
     const std::vector<DiagramMark>& marks_;
     double nameSize_;
     Symbols& symbols_;
+    bool isAlone_;
     Bounds bounds_;
     std::string body_;
 };
@@ -197,6 +237,17 @@ double widthOf(const Diagram& diagram) {
     return std::max(0.0, bounds.right - bounds.left);
 }
 
+struct Arrangement {
+    bool isBeside;
+    double nameSize;  // [diagram units]
+};
+
+Arrangement arrangementOf(const DiagramPair& pair, const Room& room) {
+    const double width = std::max(widthOf(pair.before), widthOf(pair.after));
+    const bool isBeside = width <= room.widestBeside;
+    return {isBeside, std::max(leastName, room.nameHeight * width / (isBeside ? room.beside : room.whole))};
+}
+
 std::string figure(const char* caption, const std::string& picture) {
     return fmt::format("<figure class=\"card\"><figcaption>{}</figcaption>{}</figure>\n", caption, picture);
 }
@@ -206,9 +257,7 @@ std::string figure(const char* caption, const std::string& picture) {
 std::string diagramsHtml(const DiagramPair& pair) {
     Symbols symbols;
     const std::vector<DiagramMark> none;
-    const double width = std::max(widthOf(pair.before), widthOf(pair.after));
-    const bool isBeside = width <= widestBeside;
-    const double nameSize = std::max(leastName, nameHeight * width / (isBeside ? besideWidth : wholeWidth));
+    const auto [isBeside, nameSize] = arrangementOf(pair, onPage);
     Picture before(pair.before, none, nameSize, symbols), after(pair.after, pair.marks, nameSize, symbols);
     before.draw();
     after.draw();
@@ -222,6 +271,17 @@ std::string diagramsHtml(const DiagramPair& pair) {
     out += figure("Before", before.write("Diagram of the model as it was given", symbols.definitions()));
     out += figure("After", after.write("Diagram of the model with what was added: " + marked + " outlined", {}));
     return out + "</div>\n<div class=\"legend\">" + legend + "</div>\n";
+}
+
+DiagramDrawings diagramDrawings(const DiagramPair& pair) {
+    Symbols ofBefore, ofAfter;
+    const std::vector<DiagramMark> none;
+    const auto [isBeside, nameSize] = arrangementOf(pair, onPaper);
+    Picture before(pair.before, none, nameSize, ofBefore, true), after(pair.after, pair.marks, nameSize, ofAfter, true);
+    before.draw();
+    after.draw();
+    const double room = isBeside ? onPaper.beside : onPaper.whole;
+    return {before.writeAlone(room), after.writeAlone(room), isBeside};
 }
 
 const char* diagramStyle() {

@@ -26,4 +26,15 @@ struct DiagramPair {
 std::string diagramsHtml(const DiagramPair& pair);
 const char* diagramStyle();
 
+/// A file of its own, without CSS of a page, as large as it is drawn on A4.
+struct DiagramDrawing {
+    std::string svg;
+    double width{}, height{};  // [px] of 96 in an inch
+};
+struct DiagramDrawings {
+    DiagramDrawing before, after;
+    bool areBeside{};  // there is room for the one beside the other
+};
+DiagramDrawings diagramDrawings(const DiagramPair& pair);
+
 }  // namespace analogon

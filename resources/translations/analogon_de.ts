@@ -4719,6 +4719,14 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
 <context>
     <name>MeasurementPanel</name>
     <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>%1?</source>
+        <translation>%1?</translation>
+    </message>
+    <message>
         <source>Left out until this is mended:</source>
         <translation>Ausgelassen, bis dies behoben ist:</translation>
     </message>
@@ -5185,6 +5193,10 @@ Relativer Standardfehler %1 %</translation>
         <translation>Das Modell hat einen Fehler (siehe Meldungen): Gezeigt ist, was seine Deklarationen sagen.</translation>
     </message>
     <message>
+        <source>Not connected yet: shown is what the declarations tell.</source>
+        <translation>Noch nicht verbunden: Gezeigt wird, was die Deklarationen sagen.</translation>
+    </message>
+    <message>
         <source>The text of the model cannot be read (see the messages): shown is what it told last.</source>
         <translation>Der Text des Modells ist nicht lesbar (siehe Meldungen): Gezeigt ist, was er zuletzt gesagt hat.</translation>
     </message>
@@ -5318,6 +5330,10 @@ Relativer Standardfehler %1 %</translation>
     <message>
         <source>Import a measurement and map its columns: measured and simulated traces then appear here. Simulate (F4) shows the model by itself.</source>
         <translation>Eine Messung importieren und ihre Spalten zuordnen: Dann erscheinen hier gemessene und simulierte Verläufe. „Simulieren“ (F4) zeigt das Modell für sich.</translation>
+    </message>
+    <message>
+        <source>Map a column of the recording to an output of the model, among the measurements: measured and simulated traces then appear here. Signals shows what was recorded at once.</source>
+        <translation>Unter den Messungen eine Spalte der Aufzeichnung einem Ausgang des Modells zuordnen: Dann erscheinen hier gemessene und simulierte Verläufe. „Signale“ zeigt sofort, was aufgezeichnet wurde.</translation>
     </message>
 </context>
 <context>
@@ -5529,6 +5545,10 @@ Relativer Standardfehler %1 %</translation>
     <message>
         <source>Before</source>
         <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>The model before and after</source>
+        <translation>Das Modell vorher und nachher</translation>
     </message>
     <message>
         <source>After</source>
@@ -14208,6 +14228,10 @@ Bitte den Namen prüfen.</translation>
 <context>
     <name>WindowWords</name>
     <message>
+        <source>Nothing leads to {} yet: connect it, or write an equation for it.</source>
+        <translation>Zu {} führt noch nichts: verbinden oder eine Gleichung dafür schreiben.</translation>
+    </message>
+    <message>
         <source>{}: {}; give its column a scale of -1, and search again</source>
         <translation>{}: {}; ihrer Spalte den Faktor -1 geben und erneut suchen</translation>
     </message>
@@ -14919,6 +14943,22 @@ Bitte den Namen prüfen.</translation>
         <source>The stronger the colour, the smaller the error.</source>
         <translation>Je kräftiger die Farbe, desto kleiner der Fehler.</translation>
     </message>
+    <message>
+        <source>A click sets what is there.</source>
+        <translation>Ein Klick stellt ein, was dort gilt.</translation>
+    </message>
+    <message>
+        <source>%1. %2. Enter sets this.</source>
+        <translation>%1. %2. Die Eingabetaste stellt das ein.</translation>
+    </message>
+    <message>
+        <source>Set: %1. %2. Undo takes it back.</source>
+        <translation>Eingestellt: %1. %2. Rückgängig nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>Set %1</source>
+        <translation>%1 einstellen</translation>
+    </message>
 </context>
 <context>
     <name>analogon::ui::SweepChart</name>
@@ -14937,6 +14977,10 @@ Bitte den Namen prüfen.</translation>
     <message>
         <source>Not simulated</source>
         <translation>Nicht simuliert</translation>
+    </message>
+    <message>
+        <source>Click to set this</source>
+        <translation>Klicken stellt das ein</translation>
     </message>
 </context>
 <context>

@@ -323,7 +323,7 @@ TEST_F(GermanWindow, ShowsRecordingsWithCommas) {
 
 TEST_F(GermanWindow, WritesItsReportOnPaperWithCommasAndFilesWithPoints) {
     const Finding finding = found().finding;
-    const QString body = reportBody("lambda", RunKind::Discover, finding, 0);
+    const QString body = reportBody("lambda", RunKind::Discover, finding, {});
     static const QRegularExpression tag("<[^>]*>");
     const QString words = QString(body).replace(tag, " ");
     EXPECT_TRUE(words.contains(comma));

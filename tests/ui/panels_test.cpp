@@ -1122,7 +1122,7 @@ TEST_F(Panels, WritesTheReportOnPaper) {
     EXPECT_EQ(pictures.size(), document().study().experiments.size()) << "one output of each";
     for (const QImage& picture : pictures) EXPECT_FALSE(picture.isNull());
     const QString file = directory.filePath("report.pdf");
-    const QString fault = writeReportPdf(file, "lambda", RunKind::Fit, finding, pictures);
+    const QString fault = writeReportPdf(file, "lambda", RunKind::Fit, finding, {pictures});
     EXPECT_TRUE(fault.isEmpty()) << fault.toStdString();
     EXPECT_GT(QFileInfo(file).size(), 5000);
 
@@ -1148,7 +1148,7 @@ TEST_F(Panels, WritesTheReportOnPaper) {
     passedOver.verdict = Verdict::Weaker;
     passedOver.reason = Text("explains less than another");
     finding.candidates = {passedOver};
-    const QString body = reportBody("lambda", RunKind::Discover, finding, pictures.size());
+    const QString body = reportBody("lambda", RunKind::Discover, finding, {pictures});
     for (const char* wanted :
          {"Heat loss at element.solid", "some structure remains", "warm-up", "drive cycle", "mind the range",
           "cannot tell it from: thermal.radiation at element.solid", "What remains on i_mod", "acting at element.solid",

@@ -8,9 +8,12 @@
 #include <QPushButton>
 #include <QStatusBar>
 #include <QTextBrowser>
+#include <QTextDocument>
 
 #include "core/study/report_settings.hpp"
 #include "tests/ui/panels_fixture.hpp"
+#include "tests/ui/sample_finding.hpp"
+#include "ui/effect/report_diagrams.hpp"
 #include "ui/effect/report_pdf.hpp"
 #include "ui/effect/report_top.hpp"
 #include "ui/style/style.hpp"
@@ -133,20 +136,57 @@ TEST_F(Report, OnPaperHasTheHeadAndTheSectionsThatWereChosen) {
     CandidateResult tried;
     tried.kind = "friction.coulomb";
     finding.candidates = {tried};
+    const QImage picture(4, 4, QImage::Format_RGB32);
     ReportHead head;
     head.title = "Probe <7>";
     head.author = "E. Noether";
-    const QString all = reportBody("study", RunKind::Discover, finding, 1, head, true);
+    const QString all = reportBody("study", RunKind::Discover, finding, {{picture}, picture}, head);
     EXPECT_TRUE(all.contains("<h1>Probe &lt;7&gt;</h1>"));
     EXPECT_TRUE(all.contains("E.&nbsp;Noether"));
     EXPECT_TRUE(all.contains(logoResource));
     EXPECT_TRUE(all.contains("picture:0"));
     head.leftOut = {ReportSection::Plots, ReportSection::Tried, ReportSection::Parameters};
-    const QString less = reportBody("study", RunKind::Discover, finding, 1, head, false);
+    const QString less = reportBody("study", RunKind::Discover, finding, {{picture}}, head);
     EXPECT_FALSE(less.contains("picture:0"));
     EXPECT_FALSE(less.contains("What was tried"));
     EXPECT_FALSE(less.contains("<h2>Parameters"));
     EXPECT_LT(less.size(), all.size());
+}
+
+TEST_F(Report, OnPaperShowsTheModelBeforeAndAfterWithTheEffectOutlined) {
+    openLambda();
+    RunResult found = sampleFinding(document(), "thermal.loss", "Analogon.Effects.Thermal.Loss",
+                                    "Heat loss to ambient, by convection", "element.solid", "port", "G");
+    found.finding.baseline.modelText = document().modelText().toStdString();
+    const std::optional<DiagramPair> diagrams = diagramsOf(found);
+    ASSERT_TRUE(diagrams);
+    ASSERT_EQ(diagrams->marks.size(), 1u);
+    const QString block = QString::fromStdString(diagrams->marks.front().block);
+    const QString body = reportBody("study", RunKind::Discover, found.finding, {{}, {}, diagrams});
+    for (const QString& part : {QString("The model before and after"), block, QString("Heat loss to ambient")})
+        EXPECT_TRUE(body.contains(part)) << part.toStdString();
+    QTextDocument paper;
+    addDiagrams(paper, *diagrams);
+    const auto marked = [&](const char* name) {
+        EXPECT_TRUE(body.contains(name)) << name;
+        const auto picture = paper.resource(QTextDocument::ImageResource, QUrl(name)).value<QImage>();
+        EXPECT_GT(picture.width(), 600) << name;
+        picture.save(QStringLiteral(ANALOGON_PICTURES) + "/paper-" + QString(name).section(':', 1) + ".png");
+        int pixels = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x) pixels += picture.pixelColor(x, y) == QColor("#c2185b");
+        return pixels;
+    };
+    EXPECT_EQ(marked("diagram:before"), 0);
+    EXPECT_GT(marked("diagram:after"), 400) << "outline and name";
+    ReportHead head;
+    head.leftOut = {ReportSection::Diagram};
+    EXPECT_FALSE(reportBody("study", RunKind::Discover, found.finding, {{}, {}, diagrams}, head).contains("diagram:"));
+    const auto sizeOf = [&](const QString& file, const ReportPictures& pictures) {
+        EXPECT_EQ(writeReportPdf(directory.filePath(file), "study", RunKind::Discover, found.finding, pictures), "");
+        return QFileInfo(directory.filePath(file)).size();
+    };
+    EXPECT_GT(sizeOf("with.pdf", {{}, {}, diagrams}), sizeOf("without.pdf", {}) + 10000);
 }
 
 /// As a German user sees it, light and dark.

@@ -12,6 +12,7 @@
 #include "core/base/whole_file.hpp"
 #include "core/report/words.hpp"
 #include "ui/effect/finding_words.hpp"
+#include "ui/effect/report_diagrams.hpp"
 #include "ui/effect/report_top.hpp"
 #include "ui/effect/result_panel.hpp"
 #include "ui/style/number.hpp"
@@ -138,12 +139,13 @@ QString triedPart(const Finding& finding) {
 
 }  // namespace
 
-QString reportBody(const QString& title, RunKind kind, const Finding& finding, std::size_t pictures,
-                   const ReportHead& head, bool hasLogo) {
-    QString html = reportTop(title, head, hasLogo) + verdictPart(finding, kind);
+QString reportBody(const QString& title, RunKind kind, const Finding& finding, const ReportPictures& pictures,
+                   const ReportHead& head) {
+    QString html = reportTop(title, head, !pictures.logo.isNull()) + verdictPart(finding, kind);
     if (head.shows(ReportSection::Errors)) html += errorsPart(finding);
     if (head.shows(ReportSection::Remarks)) html += cautionsPart(finding);
-    for (std::size_t i = 0; i < pictures && head.shows(ReportSection::Plots); ++i)
+    if (pictures.diagrams && head.shows(ReportSection::Diagram)) html += diagramsOnPaper(*pictures.diagrams);
+    for (std::size_t i = 0; i < pictures.plots.size() && head.shows(ReportSection::Plots); ++i)
         html += QStringLiteral("<p><img src='picture:%1' width='640'></p>").arg(i);
     if (head.shows(ReportSection::Parameters)) html += parametersPart(finding);
     if (head.shows(ReportSection::Effects)) html += effectsPart(finding);
@@ -153,7 +155,7 @@ QString reportBody(const QString& title, RunKind kind, const Finding& finding, s
 }
 
 QString writeReportPdf(const QString& file, const QString& title, RunKind kind, const Finding& finding,
-                       const std::vector<QImage>& pictures, const ReportHead& head, const QImage& logo) {
+                       const ReportPictures& pictures, const ReportHead& head) {
     QBuffer bytes;
     bytes.open(QIODevice::WriteOnly);
     QPdfWriter writer(&bytes);
@@ -162,12 +164,14 @@ QString writeReportPdf(const QString& file, const QString& title, RunKind kind, 
     writer.setTitle(head.title.empty() ? title : QString::fromStdString(head.title));
     writer.setResolution(96);
     QTextDocument document;
-    for (std::size_t i = 0; i < pictures.size(); ++i)
-        document.addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("picture:%1").arg(i)), pictures[i]);
+    for (std::size_t i = 0; i < pictures.plots.size(); ++i)
+        document.addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("picture:%1").arg(i)),
+                             pictures.plots[i]);
     document.setDefaultStyleSheet(
         "h1 {font-size: 18pt} h2 {font-size: 12pt} body, td, th {font-size: 9pt; color: black}");
-    document.addResource(QTextDocument::ImageResource, QUrl(logoResource), logo);
-    document.setHtml("<body>" + reportBody(title, kind, finding, pictures.size(), head, !logo.isNull()) + "</body>");
+    document.addResource(QTextDocument::ImageResource, QUrl(logoResource), pictures.logo);
+    if (pictures.diagrams && head.shows(ReportSection::Diagram)) addDiagrams(document, *pictures.diagrams);
+    document.setHtml("<body>" + reportBody(title, kind, finding, pictures, head) + "</body>");
     document.setPageSize(QSizeF(writer.width(), writer.height()));
     document.print(&writer);
     if (!bytes.data().startsWith("%PDF")) return ResultPanel::tr("%1 cannot be written.").arg(file);

@@ -2,20 +2,30 @@
 
 #include <QImage>
 #include <QString>
+#include <optional>
 #include <vector>
 
+#include "core/report/diagram_svg.hpp"
 #include "core/report/report_head.hpp"
 #include "ui/document/document.hpp"
 
 namespace analogon::ui {
 
-/// The report on paper as HTML: what was found, before and after, what to mind, parameters, evidence, what remains,
-/// what was tried; with so many pictures, under its head and with the sections that this has (those that paper has).
-QString reportBody(const QString& title, RunKind kind, const Finding& finding, std::size_t pictures,
-                   const ReportHead& head = {}, bool hasLogo = false);
+/// What paper shows beside words.
+struct ReportPictures {
+    std::vector<QImage> plots{};
+    QImage logo{};                          // null: none
+    std::optional<DiagramPair> diagrams{};  // empty: the model stayed as it was
+};
 
-/// The same as a file with the pictures given. Empty: done; else why not.
+/// The report on paper as HTML: what was found, before and after, what to mind, the diagram before and after,
+/// parameters, evidence, what remains, what was tried; under its head and with the sections that this has (those that
+/// paper has).
+QString reportBody(const QString& title, RunKind kind, const Finding& finding, const ReportPictures& pictures,
+                   const ReportHead& head = {});
+
+/// The same as a file. Empty: done; else why not.
 QString writeReportPdf(const QString& file, const QString& title, RunKind kind, const Finding& finding,
-                       const std::vector<QImage>& pictures, const ReportHead& head = {}, const QImage& logo = {});
+                       const ReportPictures& pictures, const ReportHead& head = {});
 
 }  // namespace analogon::ui

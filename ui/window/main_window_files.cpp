@@ -342,8 +342,10 @@ void MainWindow::writeReport(const QString& path) {
                 const Outcome<Done> done = place->write(*result, commandName(kind), Traces::All, {}, head);
                 if (!done) return done.diagnostics();
                 Diagnostics said = done.diagnostics();
-                const QString fault = writeReportPdf(QDir(path).filePath("report.pdf"), title, kind, result->finding,
-                                                     pictures, head, logoPicture(QString::fromStdString(head.logo)));
+                const ReportPictures paper{pictures, logoPicture(QString::fromStdString(head.logo)),
+                                           diagramsOf(*result)};
+                const QString fault =
+                    writeReportPdf(QDir(path).filePath("report.pdf"), title, kind, result->finding, paper, head);
                 if (!fault.isEmpty()) said.push_back(error(fault.toStdString()));
                 return {fault.isEmpty(), std::move(said)};
             },

@@ -109,5 +109,28 @@ TEST(DiagramPicture, DrawsABoxForAnUnknownClassAndNothingBeyondWithoutBlocks) {
     EXPECT_THAT(page, HasSubstr("viewBox=\"-106 -106 212 212\""));  // of the empty one
 }
 
+TEST(DiagramDrawing, IsAFileOfItsOwnAsLargeAsOnPaper) {
+    DiagramPair two = pair();
+    const DiagramDrawings small = diagramDrawings(two);
+    EXPECT_TRUE(small.areBeside);
+    for (const DiagramDrawing* drawing : {&small.before, &small.after}) {
+        EXPECT_THAT(drawing->svg, HasSubstr("<svg xmlns=\"http://www.w3.org/2000/svg\""));
+        EXPECT_THAT(drawing->svg, HasSubstr("<g id=\"icon1\"")) << "its own symbols";
+        EXPECT_THAT(drawing->svg, Not(HasSubstr("paint-order")));
+        EXPECT_LE(drawing->width, 310);
+    }
+    EXPECT_EQ(count(small.after.svg, "stroke=\"#c2185b\""), 1u) << "the outline";
+    EXPECT_EQ(count(small.before.svg, "#c2185b"), 0u);
+    EXPECT_THAT(small.after.svg, HasSubstr("fill=\"#c2185b\" font-weight=\"bold\">friction</text>"));
+    EXPECT_THAT(small.after.svg, Not(HasSubstr("class="))) << "no style of a page";
+    two.after.blocks.push_back(block("far", {600, 0}));
+    const DiagramDrawings wide = diagramDrawings(two);
+    EXPECT_FALSE(wide.areBeside);
+    EXPECT_GT(wide.after.width, 310);
+    EXPECT_LE(wide.after.width, 640);
+    two.after.blocks.push_back(block("low", {0, -3000}));
+    EXPECT_LE(diagramDrawings(two).after.height, 381) << "a page holds both";
+}
+
 }  // namespace
 }  // namespace analogon
