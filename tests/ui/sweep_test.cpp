@@ -1,15 +1,19 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLineSeries>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QUndoStack>
+#include <cmath>
 
 #include "tests/ui/panels_fixture.hpp"
 #include "ui/sensitivity/sweep_chart.hpp"
 #include "ui/sensitivity/sweep_dialog.hpp"
+#include "ui/signals/log_axis.hpp"
 
 namespace analogon::ui {
 namespace {
@@ -93,9 +97,81 @@ TEST_F(Sweeps, ShowTheErrorOverTwoParametersAsAMap) {
     EXPECT_FALSE(isAlike(colourAt(least, at), colourAt(row, column)));
     EXPECT_GT(dialog()->chart()->placeOf(0, 0).y(), dialog()->chart()->placeOf(4, 0).y()) << "upwards";
     picture(dialog(), "map");
-    EXPECT_TRUE(dialog()->outcome()->text().endsWith("the smaller the error."));
+    EXPECT_TRUE(dialog()->outcome()->text().contains("the smaller the error."));
     set(1, "heater.R", "2", "4", 5);
     EXPECT_FALSE(dialog()->runButton()->isEnabled()) << "the same twice";
+}
+
+TEST_F(Sweeps, SetTheParametersByAClickOnTheMapAsOneStep) {
+    openDialog();
+    set(0, "heater.R", "2", "4", 7);
+    set(1, "heater.alpha", "0.001", "0.005", 5);
+    ASSERT_TRUE(run());
+    SweepChart* chart = dialog()->chart();
+    const QString text = document().modelText();
+    const auto value = [&](const char* name) { return document().parameterValue(name).value_or(0); };
+    const double before = value("heater.R");
+    const int steps = document().undoStack().index();
+    QTest::mouseClick(chart->viewport(), Qt::LeftButton, {}, chart->placeOf(3, 5));
+    EXPECT_EQ(document().undoStack().index(), steps + 1);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(value("heater.R") - (2 + 5 / 3.0)) < 1e-9; }, 10000));
+    EXPECT_NEAR(value("heater.alpha"), 0.004, 1e-12);
+    EXPECT_TRUE(dialog()->outcome()->text().startsWith("Set: heater.R = 3.667"))
+        << qPrintable(dialog()->outcome()->text());
+    ASSERT_TRUE(dialog()->sweep()) << "the map stays";
+    picture(dialog(), "map-set");
+    QTest::keyClick(dialog(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(document().undoStack().index(), steps);
+    EXPECT_EQ(document().modelText(), text);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return value("heater.R") == before; }, 10000));
+}
+
+TEST_F(Sweeps, SetTheParameterByAClickOnTheCurveOrByTheKeys) {
+    openDialog();
+    set(0, "heater.R", "2", "4", 5);
+    ASSERT_TRUE(run());
+    SweepChart* chart = dialog()->chart();
+    const auto isSet = [&](double wanted) {
+        return QTest::qWaitFor(
+            [&] { return std::abs(document().parameterValue("heater.R").value_or(0) - wanted) < 1e-9; }, 10000);
+    };
+    QTest::mouseClick(chart->viewport(), Qt::LeftButton, {}, chart->placeOf(0, 1) + QPoint(3, 20));
+    EXPECT_TRUE(isSet(2.5)) << "the nearest value";
+    picture(dialog(), "curve-set");
+    chart->setFocus();
+    const int steps = document().undoStack().index();
+    QTest::keyClick(chart, Qt::Key_Right);
+    QTest::keyClick(chart, Qt::Key_Right);
+    EXPECT_EQ(document().undoStack().index(), steps) << "nothing is set on the way";
+    EXPECT_TRUE(dialog()->outcome()->text().startsWith("heater.R = 3.5")) << qPrintable(dialog()->outcome()->text());
+    QTest::keyClick(chart, Qt::Key_Return);
+    EXPECT_TRUE(isSet(3.5));
+    EXPECT_EQ(document().undoStack().index(), steps + 1);
+}
+
+TEST(SweepMap, OfManyCellsIsDrawnAtOnceWithRoundValuesInsideADecade) {
+    constexpr int size = 200;
+    ParameterSweep swept{{{"k", sweepValues(0.3, 3, size, true)}, {"R", sweepValues(0.02, 40, size, true)}},
+                         {"N.m/A", "Ohm"},
+                         Eigen::MatrixXd::Random(size, size).array() + 2,
+                         size * size};
+    SweepChart chart;
+    chart.resize(520, 420);
+    chart.setSweep(std::move(swept));
+    static_cast<QWidget&>(chart).show();
+    QTest::qWait(50);
+    QElapsedTimer clock;
+    clock.start();
+    const QImage seen = chart.grab().toImage();
+    EXPECT_LT(clock.elapsed(), 300) << "cells are many, and each asks for its colour";
+    seen.save(QStringLiteral(ANALOGON_PICTURES) + "/sweep-map.png");
+    const auto axes = chart.chart()->axes();
+    for (QAbstractAxis* axis : axes) {
+        auto* log = qobject_cast<LogAxis*>(axis);
+        ASSERT_TRUE(log);
+        EXPECT_GE(log->categoriesLabels().size(), 3);
+    }
+    EXPECT_EQ(qobject_cast<LogAxis*>(axes[0])->categoriesLabels().front(), "0.3");
 }
 
 TEST_F(Sweeps, AreStoppedAndShowWhatTheyHave) {

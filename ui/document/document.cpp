@@ -309,24 +309,36 @@ void Document::applyBoth(syntax::TextEdit edit, StudySettings settings) {
 }
 
 void Document::setParameterValue(const std::string& name, double value) {
-    const auto own = study_->parameters.find(name);
-    const QString what = tr("Set %1").arg(QString::fromStdString(name));
-    const bool isOwn = own != study_->parameters.end();
+    setParameterValues({{name, value}}, tr("Set %1").arg(QString::fromStdString(name)));
+}
+
+void Document::setParameterValues(const std::vector<std::pair<std::string, double>>& values, const QString& what) {
+    if (!isOpen()) return;
+    StudySettings changed = settings();
     const LibraryClass* model = library_.find(study_->className);
-    // No model has a clock, and a text that cannot be read takes nothing.
-    if (isClock(name) || !model || (isOwn && own->second.value)) {
-        StudyParameter changed = isOwn ? own->second : StudyParameter{};
-        changed.fit = changed.fit && (isOwn || isClock(name));
-        changed.value = value;
-        return setStudyParameter(name, changed, what);
+    std::optional<ModelEdit> edit;
+    bool isInSettings = false;
+    for (const auto& [name, value] : values) {
+        const auto own = study_->parameters.find(name);
+        const bool isOwn = own != study_->parameters.end();
+        // No model has a clock, and a text that cannot be read takes nothing.
+        if (isClock(name) || !model || (isOwn && own->second.value)) {
+            StudyParameter& setting = changed.parameters[name];
+            setting.fit = setting.fit && (isOwn || isClock(name));
+            setting.value = value;
+            isInSettings = true;
+        } else {
+            if (!edit) edit.emplace(*model->definition, nullptr, &library());
+            edit->setParameter(name, syntax::printNumber(value));
+        }
     }
-    ModelEdit edit(*model->definition, nullptr, &library());
-    edit.setParameter(name, syntax::printNumber(value));
-    Outcome<syntax::TextEdit> text = edit.finish(what.toStdString());
-    if (text)
-        applyEdit(std::move(*text));
+    if (!edit) return applySettings(std::move(changed), what);
+    Outcome<syntax::TextEdit> text = edit->finish(what.toStdString());
+    if (!text) return setRunMessages(text.diagnostics());
+    if (isInSettings)
+        applyBoth(std::move(*text), std::move(changed));
     else
-        setRunMessages(text.diagnostics());
+        applyEdit(std::move(*text));
 }
 
 void Document::setStudyParameter(const std::string& name, const StudyParameter& parameter, const QString& what) {

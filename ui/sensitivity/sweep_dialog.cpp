@@ -7,9 +7,12 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QShortcut>
 #include <QSpinBox>
+#include <QUndoStack>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 #include "ui/document/document.hpp"
 #include "ui/inspector/knob.hpp"
@@ -63,6 +66,15 @@ SweepDialog::SweepDialog(Document& document, QWidget* parent)
         if (report.stage == "sweep") progress_->setValue(static_cast<int>(1000 * report.fraction));
     });
     connect(&document, &Document::factsChanged, this, &SweepDialog::fillParameters);
+    connect(chart_, &SweepChart::chosen, this, &SweepDialog::take);
+    connect(chart_, &SweepChart::pointedAt, this, [this](const SweepPoint& point) {
+        outcome_->setText(tr("%1. %2. Enter sets this.")
+                              .arg(chart_->wordsOf(point).join(QStringLiteral(", ")), chart_->errorWordsOf(point)));
+    });
+    for (const auto changed : {&Document::factsChanged, &Document::parametersChanged, &Document::modelChanged})
+        connect(&document, changed, this, &SweepDialog::showPresent);
+    connect(new QShortcut(QKeySequence::Undo, this), &QShortcut::activated, &document.undoStack(), &QUndoStack::undo);
+    connect(new QShortcut(QKeySequence::Redo, this), &QShortcut::activated, &document.undoStack(), &QUndoStack::redo);
     connect(&document, &Document::opened, this, &QDialog::close);
     follow();
 }
@@ -175,10 +187,33 @@ void SweepDialog::showOutcome(Outcome<ParameterSweep> found) {
             said << tr("Least error %1 at %2.")
                         .arg(style::percentText(sweep_->errorPercent(row, column)), at.join(QStringLiteral(", ")));
             if (sweep_->axes.size() > 1) said << tr("The stronger the colour, the smaller the error.");
+            said << tr("A click sets what is there.");
         }
         outcome_->setText(said.join(' '));
     }
     chart_->setSweep(sweep_);
+    showPresent();
+}
+
+void SweepDialog::take(const SweepPoint& point) {
+    const std::vector<double> values = chart_->valuesAt(point);
+    std::vector<std::pair<std::string, double>> wanted;
+    QStringList names;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        wanted.emplace_back(sweep_->axes[i].parameter, values[i]);
+        names << QString::fromStdString(sweep_->axes[i].parameter);
+    }
+    document_.setParameterValues(wanted, tr("Set %1").arg(names.join(QStringLiteral(", "))));
+    outcome_->setText(tr("Set: %1. %2. Undo takes it back.")
+                          .arg(chart_->wordsOf(point).join(QStringLiteral(", ")), chart_->errorWordsOf(point)));
+}
+
+void SweepDialog::showPresent() {
+    std::vector<double> present;
+    if (sweep_)
+        for (const SweepAxis& axis : sweep_->axes)
+            present.push_back(document_.parameterValue(axis.parameter).value_or(NAN));
+    chart_->setPresent(std::move(present));
 }
 
 void SweepDialog::follow() {

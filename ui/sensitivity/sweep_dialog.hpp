@@ -19,6 +19,7 @@ namespace analogon::ui {
 
 class Document;
 class SweepChart;
+struct SweepPoint;
 
 /// Leads one or two parameters through values and shows the error of the fitted recordings as a curve or a map. It is
 /// worked out beside the window; stopped, it shows what it has.
@@ -48,6 +49,9 @@ private:
     void start();
     void showOutcome(Outcome<ParameterSweep> found);
     void follow();
+    /// The parameters to a point of the sweep, as one step.
+    void take(const SweepPoint& point);
+    void showPresent();
 
     Document& document_;
     std::array<Axis, 2> axes_;

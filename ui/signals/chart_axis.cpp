@@ -1,11 +1,11 @@
 #include "ui/signals/chart_axis.hpp"
 
 #include <QFont>
-#include <QLogValueAxis>
 #include <QPalette>
 #include <QPen>
 #include <QValueAxis>
 
+#include "ui/signals/log_axis.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
@@ -35,10 +35,7 @@ QAbstractAxis* makeAxis(const QString& title, bool isLogarithmic, const QString&
                         const QPalette& palette) {
     QAbstractAxis* axis = nullptr;
     if (isLogarithmic) {
-        auto* log = new QLogValueAxis;
-        log->setBase(10);
-        log->setLabelFormat("%.3g");
-        axis = log;
+        axis = new LogAxis;
     } else {
         auto* linear = new QValueAxis;
         linear->setLabelFormat(linearFormat);

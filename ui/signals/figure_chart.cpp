@@ -1,12 +1,12 @@
 #include "ui/signals/figure_chart.hpp"
 
 #include <QLineSeries>
-#include <QLogValueAxis>
 #include <QValueAxis>
 #include <algorithm>
 #include <cmath>
 
 #include "ui/signals/chart_axis.hpp"
+#include "ui/signals/log_axis.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
@@ -14,11 +14,19 @@ namespace analogon::ui {
 
 namespace {
 
+/// As the axes have them.
+QList<QPointF> placed(const QPolygonF& points, bool isLogarithmic) {
+    QList<QPointF> places = points;
+    if (isLogarithmic)
+        for (QPointF& point : places) point = {LogAxis::at(point.x()), LogAxis::at(point.y())};
+    return places;
+}
+
 /// So that all of the curves is within it.
 void fit(QAbstractAxis& axis, const ValueRange& range) {
     if (range.isEmpty()) return;
+    if (auto* log = qobject_cast<LogAxis*>(&axis)) return log->setValues(range.low / 1.2, range.high * 1.2);
     auto* linear = qobject_cast<QValueAxis*>(&axis);
-    if (!linear) return axis.setRange(range.low / 1.2, range.high * 1.2);
     const double around = range.high > range.low ? 0 : std::max(1e-9, 0.1 * std::abs(range.low));
     linear->setRange(range.low - around, range.high + around);
     linear->applyNiceNumbers();
@@ -86,7 +94,7 @@ void FigureChart::draw() {
     chart()->addAxis(y, Qt::AlignLeft);
     for (const Figure::Curve& curve : figure_.curves) {
         auto* series = new QLineSeries;
-        series->replace(curve.points);
+        series->replace(placed(curve.points, figure_.isLogarithmic));
         series->setPen(QPen(curve.colour, 1.4));
         chart()->addSeries(series);
         series->attachAxis(x);
@@ -100,7 +108,15 @@ void FigureChart::draw() {
         }
     fit(*x, across);
     fit(*y, along);
+    fitLogAxes(*chart(), size());
 }
+
+void FigureChart::resizeEvent(QResizeEvent* event) {
+    QChartView::resizeEvent(event);
+    fitLogAxes(*chart(), size());
+}
+
+void FigureChart::drawForeground(QPainter* painter, const QRectF&) { paintMinorTicks(*painter, *chart()); }
 
 void FigureChart::changeEvent(QEvent* event) {
     QChartView::changeEvent(event);
