@@ -16,13 +16,13 @@ std::vector<double> ramp(int n) {
     return t;
 }
 
-TEST(Extent, IsThatOfAllSamplesOfAnyStretch) {
+TEST(ValueExtent, IsThatOfAllSamplesOfAnyStretch) {
     std::mt19937 random(7);
     std::vector<double> values(1000);
     for (double& v : values) v = static_cast<double>(random() % 1000);
     for (std::size_t i = 0; i < values.size(); i += 37) values[i] = std::nan("");
     values[500] = INFINITY;
-    const ui::Extent extent(values);
+    const ui::ValueExtent extent(values);
     for (int trial = 0; trial < 2000; ++trial) {
         std::size_t begin = random() % 1001, end = random() % 1001;
         if (begin > end) std::swap(begin, end);
@@ -33,7 +33,7 @@ TEST(Extent, IsThatOfAllSamplesOfAnyStretch) {
         ASSERT_EQ(range.low, expected.low) << begin << " to " << end;
         ASSERT_EQ(range.high, expected.high) << begin << " to " << end;
     }
-    EXPECT_TRUE(ui::Extent().whole().isEmpty());
+    EXPECT_TRUE(ui::ValueExtent().whole().isEmpty());
 }
 
 TEST(ColumnRanges, LoseNoPeak) {
@@ -41,7 +41,7 @@ TEST(ColumnRanges, LoseNoPeak) {
     std::vector<double> values(time.size(), 0.0);
     values[123'457] = 7;
     values[765'433] = -5;
-    const auto columns = columnRanges(time, values, ui::Extent(values), 0, 999'999, 800);
+    const auto columns = columnRanges(time, values, ui::ValueExtent(values), 0, 999'999, 800);
     ASSERT_EQ(columns.size(), 800u);
     for (std::size_t i = 0; i < columns.size(); ++i) {
         EXPECT_EQ(columns[i].high, i == 98 ? 7 : 0) << i;
@@ -51,7 +51,7 @@ TEST(ColumnRanges, LoseNoPeak) {
 
 TEST(ColumnRanges, FollowTheLineBetweenSamples) {
     const std::vector<double> time{0, 10, 20}, values{0, 10, 0};
-    const auto columns = columnRanges(time, values, ui::Extent(values), -10, 30, 8);
+    const auto columns = columnRanges(time, values, ui::ValueExtent(values), -10, 30, 8);
     ASSERT_EQ(columns.size(), 8u);
     EXPECT_TRUE(columns[0].isEmpty());
     EXPECT_TRUE(columns[7].isEmpty());
@@ -63,11 +63,11 @@ TEST(ColumnRanges, FollowTheLineBetweenSamples) {
 TEST(ColumnRanges, LeaveOutWhatWasNotMeasured) {
     const std::vector<double> time = ramp(5);
     const std::vector<double> values{1, std::nan(""), 3, INFINITY, 5};
-    const auto columns = columnRanges(time, values, ui::Extent(values), 0, 5, 5);
+    const auto columns = columnRanges(time, values, ui::ValueExtent(values), 0, 5, 5);
     EXPECT_TRUE(columns[1].isEmpty());
     EXPECT_EQ(columns[2].high, 3);
-    EXPECT_TRUE(columnRanges({}, {}, ui::Extent(), 0, 1, 3)[1].isEmpty());
-    EXPECT_TRUE(columnRanges(time, values, ui::Extent(values), 1, 1, 3)[1].isEmpty());
+    EXPECT_TRUE(columnRanges({}, {}, ui::ValueExtent(), 0, 1, 3)[1].isEmpty());
+    EXPECT_TRUE(columnRanges(time, values, ui::ValueExtent(values), 1, 1, 3)[1].isEmpty());
 }
 
 TEST(SamplesWithin, AreThoseOfTheRangeAndOneBeyondEachSide) {

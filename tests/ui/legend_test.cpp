@@ -2,6 +2,7 @@
 
 #include <QAbstractButton>
 #include <QLabel>
+#include <QScrollArea>
 #include <QTest>
 
 #include "ui/plot/flow_layout.hpp"
@@ -52,6 +53,55 @@ TEST(Legend, TakesAsManyRowsAsItsWordsNeedAndNoneIsCut) {
         EXPECT_EQ(isOneRow, width == 1200) << width;
         plot.grab().save(QStringLiteral(ANALOGON_PICTURES) + QStringLiteral("/legend-%1.png").arg(width));
     }
+}
+
+/// Whether the words of an entry, as they wrap, have room in it.
+bool isWhole(const QAbstractButton& entry) { return entry.height() >= entry.heightForWidth(entry.width()); }
+
+TEST(Legend, LosesNoWordWhereAPanelIsLow) {
+    for (const int width : {520, 300, 220})
+        for (const int height : {260, 160, 120, 90}) {
+            QScrollArea area;  // as the panel has it
+            auto* plot = new OutputPlot;
+            area.setWidget(plot);
+            area.setWidgetResizable(true);
+            area.resize(width, height);
+            area.show();
+            plot->show(content());
+            plot->fitInto(area.viewport()->height());
+            QTest::qWait(20);
+            plot->fitInto(area.viewport()->height());
+            QTest::qWait(20);
+            const auto entries = entriesOf(*plot);
+            ASSERT_EQ(entries.size(), 3u);
+            for (const QAbstractButton* entry : entries) {
+                EXPECT_TRUE(isWhole(*entry)) << width << " x " << height;
+                EXPECT_LE(entry->geometry().right(), plot->width());
+                EXPECT_LE(entry->geometry().bottom(), plot->values()->geometry().top()) << width << " x " << height;
+            }
+            EXPECT_GE(plot->values()->height(), 52) << "the traces keep their room, " << width << " x " << height;
+            const bool isRoomy = height == 260 && width == 520;
+            EXPECT_TRUE(plot->residual()->isVisible() || !isRoomy);
+            area.grab().save(QStringLiteral(ANALOGON_PICTURES) +
+                             QStringLiteral("/legend-low-%1x%2.png").arg(width).arg(height));
+        }
+}
+
+TEST(Legend, BreaksALongNameOfTheOutput) {
+    OutputPlot plot;
+    OutputPlot::Content shown = content();
+    shown.name = "electricVehicle.batteryPack.coolingCircuit.temperatureSensor.measured";
+    plot.show(shown);
+    plot.resize(240, 360);
+    static_cast<QWidget&>(plot).show();
+    QTest::qWait(20);
+    for (const QLabel* label : plot.findChildren<QLabel*>())
+        if (label->text().contains("coolingCircuit")) {
+            EXPECT_LE(label->geometry().right(), plot.width());
+            EXPECT_GE(label->width(), label->minimumSizeHint().width());
+            EXPECT_GE(label->height(), label->heightForWidth(label->width()));
+        }
+    plot.grab().save(QStringLiteral(ANALOGON_PICTURES) + "/legend-long-name.png");
 }
 
 TEST(Legend, StaysWhereItIsWhileThePointerReadsValues) {

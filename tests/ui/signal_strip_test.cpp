@@ -9,7 +9,7 @@
 #include <QTextOption>
 #include <QToolButton>
 
-#include "ui/signals/breakable.hpp"
+#include "ui/style/breakable.hpp"
 #include "ui/style/style.hpp"
 #include "ui/style/translator.hpp"
 

@@ -32,7 +32,7 @@ ValueRange rangeOfBlock(std::span<const double> block) {
 
 }  // namespace
 
-Extent::Extent(std::span<const double> values) {
+ValueExtent::ValueExtent(std::span<const double> values) {
     blocks_.reserve(values.size() / blockSize + 1);
     for (std::size_t begin = 0; begin < values.size(); begin += blockSize) {
         const ValueRange block = rangeOfBlock(values.subspan(begin, std::min(blockSize, values.size() - begin)));
@@ -41,7 +41,7 @@ Extent::Extent(std::span<const double> values) {
     }
 }
 
-ValueRange Extent::of(std::span<const double> values, std::size_t begin, std::size_t end) const {
+ValueRange ValueExtent::of(std::span<const double> values, std::size_t begin, std::size_t end) const {
     ValueRange range;
     const std::size_t firstBlock = (begin + blockSize - 1) / blockSize, lastBlock = end / blockSize;
     if (firstBlock >= lastBlock) {
@@ -62,8 +62,8 @@ std::pair<std::size_t, std::size_t> samplesWithin(std::span<const double> time, 
     return {begin, end};
 }
 
-std::vector<ValueRange> columnRanges(std::span<const double> time, std::span<const double> values, const Extent& extent,
-                                     double from, double to, int count) {
+std::vector<ValueRange> columnRanges(std::span<const double> time, std::span<const double> values,
+                                     const ValueExtent& extent, double from, double to, int count) {
     std::vector<ValueRange> columns(static_cast<std::size_t>(std::max(0, count)));
     const std::size_t size = std::min(time.size(), values.size());
     if (size == 0 || !(to > from)) return columns;

@@ -24,10 +24,10 @@ struct ValueRange {
 
 /// The range of any stretch of a trace without a look at each sample: ranges of blocks are kept, and only the ends of a
 /// stretch are read sample by sample. What is not finite is left out.
-class Extent {
+class ValueExtent {
 public:
-    Extent() = default;
-    explicit Extent(std::span<const double> values);
+    ValueExtent() = default;
+    explicit ValueExtent(std::span<const double> values);
 
     /// Of the samples [begin, end) of the values it was made from.
     ValueRange of(std::span<const double> values, std::size_t begin, std::size_t end) const;
@@ -43,8 +43,8 @@ std::pair<std::size_t, std::size_t> samplesWithin(std::span<const double> time, 
 
 /// What a line through the samples covers in each of `count` columns that [from, to] is cut into, so that no peak is
 /// lost and neighbours touch; empty before the first and after the last sample.
-std::vector<ValueRange> columnRanges(std::span<const double> time, std::span<const double> values, const Extent& extent,
-                                     double from, double to, int count);
+std::vector<ValueRange> columnRanges(std::span<const double> time, std::span<const double> values,
+                                     const ValueExtent& extent, double from, double to, int count);
 
 /// Distance of grid lines: 1, 2 or 5 times a power of ten, about `count` in the range.
 double niceStep(double range, int count);

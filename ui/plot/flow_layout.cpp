@@ -16,10 +16,7 @@ QSize FlowLayout::minimumSize() const {
 
 void FlowLayout::setGeometry(const QRect& rect) {
     QLayout::setGeometry(rect);
-    if (isSingleRow_)
-        arrangeInOneRow(rect);
-    else
-        arrange(rect, true);
+    arrange(rect, true);
     firstRowEnd_ = rect.left();
     int top = rect.bottom();
     for (const QLayoutItem* item : items_)
@@ -27,24 +24,6 @@ void FlowLayout::setGeometry(const QRect& rect) {
     for (const QLayoutItem* item : items_)
         if (!item->isEmpty() && item->geometry().top() < top)
             firstRowEnd_ = std::max(firstRowEnd_, item->geometry().right() + 1);
-}
-
-void FlowLayout::setSingleRow(bool isSingle) {
-    if (isSingle == isSingleRow_) return;
-    isSingleRow_ = isSingle;
-    invalidate();
-}
-
-void FlowLayout::arrangeInOneRow(const QRect& rect) const {
-    const QRect room = rect.marginsRemoved(contentsMargins());
-    int x = room.left();
-    for (QLayoutItem* item : items_) {
-        if (item->isEmpty()) continue;
-        const QSize whole = item->sizeHint();
-        const int width = std::clamp(room.right() + 1 - x, 0, whole.width());
-        item->setGeometry(QRect(x, room.top() + (room.height() - whole.height()) / 2, width, whole.height()));
-        x += width + spacing();
-    }
 }
 
 int FlowLayout::arrange(const QRect& rect, bool moves) const {

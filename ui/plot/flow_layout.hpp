@@ -5,7 +5,7 @@
 namespace analogon::ui {
 
 /// Sets its widgets side by side and goes on in another row where there is no room. One that is wider than a row has it
-/// to itself, and is as high as it asks for at that width. In a single row the last takes what is left.
+/// to itself, and is as high as it asks for at that width.
 class FlowLayout : public QLayout {
 public:
     using QLayout::QLayout;
@@ -17,8 +17,6 @@ public:
     QLayoutItem* takeAt(int index) override { return index >= 0 && index < count() ? items_.takeAt(index) : nullptr; }
     Qt::Orientations expandingDirections() const override { return {}; }
     int heightOfRows(int width) const { return arrange(QRect(0, 0, width, 0), false); }
-    int heightOfOneRow() const { return minimumSize().height(); }
-    void setSingleRow(bool isSingle);
     QSize sizeHint() const override { return minimumSize(); }
     QSize minimumSize() const override;
     void setGeometry(const QRect& rect) override;
@@ -28,11 +26,9 @@ public:
 private:
     /// Height of all rows; with `moves` the widgets go to their places.
     int arrange(const QRect& rect, bool moves) const;
-    void arrangeInOneRow(const QRect& rect) const;
 
     QList<QLayoutItem*> items_;
     int firstRowEnd_{};
-    bool isSingleRow_{true};
 };
 
 }  // namespace analogon::ui

@@ -6,9 +6,11 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "ui/plot/flow_layout.hpp"
 #include "ui/plot/plot_panel.hpp"
+#include "ui/style/breakable.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
@@ -28,14 +30,22 @@ public:
         setSizePolicy(policy);
     }
     TraceRole role() const { return role_; }
+    void setSmall(bool isSmall) {
+        if (isSmall == isSmall_) return;
+        isSmall_ = isSmall;
+        updateGeometry();
+        update();
+    }
     QSize minimumSizeHint() const override { return sizeHint().boundedTo({least, sizeHint().height()}); }
     QSize sizeHint() const override {
-        const QFontMetrics metrics(font());
-        return {metrics.horizontalAdvance(text()) + swatch + 3 * style::unit, metrics.height() + style::unit};
+        const int width = QFontMetrics(inkFont()).horizontalAdvance(text()) + swatch + 3 * style::unit;
+        return {width, heightForWidth(width)};
     }
     /// A name that is longer than the row breaks, wherever it must: no word of it is lost.
     int heightForWidth(int width) const override {
-        return fontMetrics().boundingRect(QRect(0, 0, width - swatch - style::unit, 1 << 20), flags, text()).height() +
+        return QFontMetrics(inkFont())
+                   .boundingRect(QRect(0, 0, width - swatch - style::unit, 1 << 20), flags, text())
+                   .height() +
                style::unit;
     }
 
@@ -47,15 +57,11 @@ protected:
         QColor ink = palette().color(QPalette::WindowText);
         if (!isChecked()) colour = ink = style::mix(ink, palette().color(QPalette::Window), 0.65);
         painter.setPen(QPen(colour, 2.4, Qt::SolidLine, Qt::RoundCap));
-        const double middle = (fontMetrics().height() + style::unit) / 2.0;  // of the first line
+        painter.setFont(inkFont());
+        const double middle = (painter.fontMetrics().height() + style::unit) / 2.0;  // of the first line
         painter.drawLine(QPointF(2, middle), QPointF(swatch - 2, middle));
         painter.setPen(ink);
-        const QRect room = rect().adjusted(swatch + style::unit, 0, 0, 0);
-        if (height() >= heightForWidth(width()))
-            painter.drawText(room, flags, text());
-        else  // no room for more rows: the figure stands last
-            painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft,
-                             fontMetrics().elidedText(text(), Qt::ElideMiddle, room.width()));
+        painter.drawText(rect().adjusted(swatch + style::unit, 0, 0, 0), flags, text());
         if (hasFocus()) {
             painter.setPen(style::accent(palette()));
             painter.drawLine(swatch + style::unit, height() - 1, width() - 2 * style::unit, height() - 1);
@@ -63,10 +69,22 @@ protected:
     }
 
 private:
+    QFont inkFont() const {
+        QFont ink = font();
+        if (isSmall_) ink.setPointSizeF(0.85 * ink.pointSizeF());
+        return ink;
+    }
     static constexpr int swatch = 18, least = 56;
     static constexpr int flags = Qt::AlignVCenter | Qt::AlignLeft | Qt::TextWordWrap | Qt::TextWrapAnywhere;
     TraceRole role_;
+    bool isSmall_{};
 };
+
+namespace {
+
+constexpr int usualValues = 74, leastValues = 52;  // [px] two outputs have room one below the other
+
+}  // namespace
 
 OutputPlot::OutputPlot(QWidget* parent)
     : QWidget(parent),
@@ -95,10 +113,11 @@ OutputPlot::OutputPlot(QWidget* parent)
     readout_->hide();
 
     values_->setTimeLabels(false);
-    values_->setMinimumHeight(74);  // two outputs have room one below the other
+    values_->setMinimumHeight(usualValues);
     residual_->setSymmetric(true);
     residual_->setCaption(tr("measured − simulated"));
     residual_->setMinimumHeight(60);
+    name_->setWordWrap(true);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -118,22 +137,34 @@ OutputPlot::OutputPlot(QWidget* parent)
 
 void OutputPlot::fitInto(int height) {
     room_ = height;
-    const int whole = heading_->heightOfOneRow() + values_->minimumHeight() + residual_->minimumHeight();
-    const bool isWhole = height >= whole && hasValues(content_.measured);
-    if (isWhole == residual_->QWidget::isHidden()) {
-        residual_->setHidden(!isWhole);
-        values_->setTimeLabels(!isWhole);
-    }
     fitLegend();
 }
 
-/// As many rows as its words need, where they leave the plots their room.
+/// The legend takes as many rows as its words need. Where that leaves too little room, it is written smaller, then the
+/// residual gives way, then the values are lower; what still has no room is scrolled to.
 void OutputPlot::fitLegend() {
-    const int plots = values_->minimumHeight() + (residual_->QWidget::isHidden() ? 0 : residual_->minimumHeight());
-    const int rows = heading_->heightOfRows(width()), one = heading_->heightOfOneRow();
-    const bool isSingle = rows > one && rows + plots > room_;
-    heading_->setSingleRow(isSingle);
-    head_->setFixedHeight(isSingle ? one : std::max(one, rows));
+    struct Way {
+        bool isSmall, hasResidual;
+        int values;  // [px]
+    };
+    constexpr Way ways[]{{false, true, usualValues},
+                         {true, true, usualValues},
+                         {false, false, usualValues},
+                         {true, false, usualValues},
+                         {true, false, leastValues}};
+    const bool isMeasured = hasValues(content_.measured);
+    for (const Way& way : ways) {
+        if (way.hasResidual && !isMeasured) continue;
+        for (LegendEntry* entry : legend_) entry->setSmall(way.isSmall);
+        const int rows = heading_->heightOfRows(width());
+        const int needed = rows + way.values + (way.hasResidual ? residual_->minimumHeight() : 0);
+        if (needed > room_ && &way != std::end(ways) - 1) continue;
+        head_->setFixedHeight(rows);
+        values_->setMinimumHeight(way.values);
+        values_->setTimeLabels(!way.hasResidual);
+        residual_->setHidden(!way.hasResidual);
+        return;
+    }
 }
 
 void OutputPlot::resizeEvent(QResizeEvent* event) {
@@ -159,7 +190,11 @@ QString OutputPlot::legendText(TraceRole role) const {
 
 void OutputPlot::show(Content content) {
     content_ = std::move(content);
-    name_->setText(content_.unit.isEmpty() ? content_.name : content_.name + "  [" + content_.unit + "]");
+    constexpr int shortName = 24;  // letters that every plot has room for
+    const bool isLong = content_.name.size() > shortName;
+    name_->setTextFormat(isLong ? Qt::RichText : Qt::PlainText);
+    const QString name = isLong ? breakable(content_.name) : content_.name;
+    name_->setText(content_.unit.isEmpty() ? name : name + "  [" + content_.unit + "]");
     const bool isMeasured = hasValues(content_.measured);
     setLegend(TraceRole::Measured, isMeasured ? tr("measured") : QString());
     setLegend(TraceRole::Before, content_.before.empty() ? QString() : content_.beforeLabel);

@@ -54,8 +54,8 @@ public:
     void pointAt(std::optional<double> time);
     void setMarks(const std::vector<double>& times);
     const Content& content() const { return content_; }
-    /// Where there is no room for both, or nothing was measured, the residual gives way; the values then carry the time
-    /// axis.
+    /// Where there is no room for all of it, or nothing was measured, the residual gives way, and the values carry the
+    /// time axis; no word of the legend does.
     void fitInto(int height);
 
     TimePlot* values() const { return values_; }

@@ -58,7 +58,7 @@ void TimePlot::setTraces(std::shared_ptr<const std::vector<double>> time, std::v
 void TimePlot::setTrace(Trace trace) {
     const auto found =
         std::find_if(traces_.begin(), traces_.end(), [&](const Trace& t) { return t.role == trace.role; });
-    Extent extent(trace.values);
+    ValueExtent extent(trace.values);
     if (found == traces_.end()) {
         traces_.push_back(std::move(trace));
         extents_.push_back(std::move(extent));
@@ -83,6 +83,7 @@ void TimePlot::setTimeRange(double from, double to) {
 }
 
 void TimePlot::setTimeLabels(bool isShown) {
+    if (isShown == hasTimeLabels_) return;
     hasTimeLabels_ = isShown;
     redraw();
 }

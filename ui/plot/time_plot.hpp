@@ -98,7 +98,7 @@ private:
 
     std::shared_ptr<const std::vector<double>> time_;
     std::vector<Trace> traces_;
-    std::vector<Extent> extents_;  // of their values
+    std::vector<ValueExtent> extents_;  // of their values
     std::vector<TraceRole> hidden_;
     QString caption_, note_;
     double from_{0}, to_{1};   // [s] shown

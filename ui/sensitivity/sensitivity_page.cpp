@@ -11,8 +11,8 @@
 
 #include "ui/document/document.hpp"
 #include "ui/plot/series.hpp"
-#include "ui/signals/breakable.hpp"
 #include "ui/signals/signal_chart.hpp"
+#include "ui/style/breakable.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"

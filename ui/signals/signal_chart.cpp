@@ -92,14 +92,14 @@ void SignalChart::style() {
 
 void SignalChart::setLines(std::vector<ChartLine> lines) {
     if (lines == lines_) return;
-    std::vector<Extent> extents;
+    std::vector<ValueExtent> extents;
     for (const ChartLine& line : lines) {
         const auto same =
             std::find_if(lines_.begin(), lines_.end(), [&](const ChartLine& l) { return l.data == line.data; });
         if (same != lines_.end())
             extents.push_back(extents_[static_cast<std::size_t>(same - lines_.begin())]);
         else
-            extents.push_back(line.data ? Extent(line.data->values) : Extent());
+            extents.push_back(line.data ? ValueExtent(line.data->values) : ValueExtent());
     }
     lines_ = std::move(lines);
     extents_ = std::move(extents);

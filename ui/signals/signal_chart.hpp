@@ -80,7 +80,7 @@ private:
     void zoom(double about, double factor);
 
     std::vector<ChartLine> lines_;
-    std::vector<Extent> extents_;        // of their values
+    std::vector<ValueExtent> extents_;   // of their values
     std::vector<QLineSeries*> series_;   // owned by the chart
     QValueAxis *time_, *left_, *right_;  // likewise
     double from_{0}, to_{1};             // [s] shown

@@ -13,8 +13,8 @@
 
 #include "core/signal/formula.hpp"
 #include "core/signal/range_figures.hpp"
-#include "ui/signals/breakable.hpp"
 #include "ui/signals/figure_chart.hpp"
+#include "ui/style/breakable.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 

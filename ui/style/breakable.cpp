@@ -1,4 +1,4 @@
-#include "ui/signals/breakable.hpp"
+#include "ui/style/breakable.hpp"
 
 namespace analogon::ui {
 
