@@ -2,6 +2,7 @@
 
 #include <QAbstractItemView>
 #include <QCompleter>
+#include <QElapsedTimer>
 #include <QTabBar>
 #include <QTabWidget>
 
@@ -118,6 +119,77 @@ TEST_F(NameCompletion, LeavesEnterToWhoMarkedNothingAndComesWhenAskedFor) {
     EXPECT_EQ(list()->model()->index(0, 0).data(Qt::UserRole).toString(), "v");
     if (const QByteArray to = qgetenv("ANALOGON_COMPLETION_PICTURE"); !to.isEmpty())
         list()->grab().save(QString::fromLocal8Bit(to));
+}
+
+/// Packages beside the study, of which a file is read when a class in it is named.
+class LazyNameCompletion : public testing::Test {
+protected:
+    static void write(const QString& path, const char* text) {
+        QDir().mkpath(QFileInfo(path).path());
+        QFile file(path);
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(text);
+    }
+    void SetUp() override {
+        write(place("Bench/package.mo"),
+              "package Bench \"Of a test bench\"\nprotected\n  model Hidden\n  end Hidden;\nend Bench;");
+        write(place("Bench/Drives/package.mo"), "within Bench;\npackage Drives\nend Drives;");
+        write(place("Bench/Drives/Base.mo"),
+              "within Bench.Drives;\npartial model Base\n  parameter Real ratio = 2 \"of the gear\";\nend Base;");
+        write(place("Bench/Drives/Drive.mo"),
+              "within Bench.Drives;\nmodel Drive \"A drive\"\n  extends Base;\n  parameter Real k = 1;\n  Real "
+              "speed;\nend Drive;");
+        write(place("Bench/Drives/Wrong.mo"), "within Bench.Drives;\nmodel Wrong\n  this is none");
+    }
+    QString place(const char* file) const { return directory.filePath(file); }
+    static Library libraryOf(const std::filesystem::path& packages) {
+        const auto own = std::make_shared<const Source>("model.mo", "model Own\n  Real x;\nend Own;");
+        Outcome<Library> library = Library().withDirectories({packages}).withSource(own);
+        EXPECT_TRUE(library);
+        return std::move(*library);
+    }
+    static QStringList offered(const Library& library, const QString& typed) {
+        QStringList names;
+        for (const NameOffer& offer : nameOffers(library, "Own", "model Own\n  " + typed).offers) names << offer.name;
+        return names;
+    }
+
+    QTemporaryDir directory;
+};
+
+TEST_F(LazyNameCompletion, OffersWhatPackagesHoldWithoutReadingIt) {
+    const Library library = libraryOf(directory.path().toStdString());
+    const QByteArray searched = qgetenv("MODELICAPATH");
+    qputenv("MODELICAPATH", directory.path().toUtf8());
+    EXPECT_EQ(offered(library, "Ben"), QStringList{"Bench"});
+    qputenv("MODELICAPATH", searched);
+    EXPECT_EQ(offered(library, "Bench."), QStringList{"Drives"}) << "not what is protected";
+    EXPECT_EQ(offered(library, "Bench.Drives."), (QStringList{"Base", "Drive", "Wrong"}));
+    EXPECT_TRUE(library.lazyFaults().empty()) << "no file was read for its name";
+    EXPECT_EQ(offered(library, "Bench.Drives.D"), QStringList{"Drive"});
+}
+
+TEST_F(LazyNameCompletion, OffersThePartsOfTheirClassesWithThoseInherited) {
+    const Library library = libraryOf(directory.path().toStdString());
+    EXPECT_EQ(offered(library, "Bench.Drives.Drive d;\nequation\n  d."), (QStringList{"ratio", "k", "speed"}));
+    const QStringList modifiers = offered(library, "Bench.Drives.Drive d(");
+    ASSERT_GE(modifiers.size(), 2);
+    EXPECT_EQ(modifiers.mid(0, 2), (QStringList{"ratio", "k"})) << "the parameters";
+}
+
+TEST_F(LazyNameCompletion, KnowsTheStandardLibrary) {
+    const QString packages = qEnvironmentVariable("MODELICAPATH").section(':', 0, 0);
+    if (!QFileInfo::exists(packages + "/Modelica/package.mo"))
+        GTEST_SKIP() << "MODELICAPATH names no directory with the Modelica Standard Library";
+    const Library library = libraryOf(packages.toStdString());
+    QElapsedTimer clock;
+    clock.start();
+    EXPECT_TRUE(offered(library, "Modelica.").contains("Mechanics"));
+    EXPECT_TRUE(offered(library, "Modelica.Mechanics.Rotational.Components.").contains("Inertia"));
+    EXPECT_TRUE(offered(library, "Modelica.Electrical.Analog.Basic.Res").contains("Resistor"));
+    const QStringList parts = offered(library, "Modelica.Mechanics.Rotational.Components.Inertia r;\nequation\n  r.");
+    for (const char* part : {"J", "flange_a", "w"}) EXPECT_TRUE(parts.contains(part)) << part;
+    EXPECT_LT(clock.elapsed(), 2000);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/library/library.hpp"
+#include "core/library/package_entries.hpp"
 
 namespace analogon::ui {
 
@@ -71,10 +72,10 @@ public:
             if (!c.isProtected && (!onlyParameters || c.variability == syntax::Variability::Parameter))
                 add(text(c.name), typed, c.description.empty() ? text(c.type.text()) : text(c.description));
     }
+    /// Those in files of their own are not read for it: what they are is not told.
     void addClassesOf(const std::string& package, const QString& typed) {
-        for (const LibraryClass* c : library_.classes())
-            if (c->scope == package && !c->definition->isProtected)
-                add(text(c->definition->name), typed, text(c->definition->description));
+        for (const PackageEntry& entry : packageEntries(library_, package))
+            add(text(entry.name), typed, entry.read ? text(entry.read->definition->description) : QString());
     }
     void addOwn(const QString& typed) {
         if (definition_)
@@ -172,17 +173,20 @@ NameOffers nameOffers(const Library& library, const std::string& model, const QS
         QStringList names = path;
         static const QRegularExpression subscripts(R"(\[.*\])");
         for (QString& name : names) name.remove(subscripts);
-        const LibraryClass* package = library.lookup(path.join(u'.').toStdString(), offers.scope());
-        if (const LibraryClass* of = offers.classOf(names))
+        const LibraryClass* named = library.lookup(path.join(u'.').toStdString(), offers.scope());
+        const bool isPackage = named && named->definition->restriction == syntax::ClassDefinition::Restriction::Package;
+        // What stands before the name of a package looks like a declaration of it: "model Drive  Modelica."
+        if (const LibraryClass* of = isPackage ? nullptr : offers.classOf(names))
             offers.addMembers(*of, typed, false);
-        else if (package)
-            offers.addClassesOf(package->qualifiedName, typed);
+        else if (named)
+            offers.addClassesOf(named->qualifiedName, typed);
     } else {
         const QString opened = openedName(before.left(before.size() - dotted.size()));
         const LibraryClass* of = opened.isEmpty() ? nullptr : offers.classOf({opened});
         if (of) offers.addMembers(*of, typed, true);
         offers.addOwn(typed);
         if (!typed.isEmpty()) offers.addClasses(typed);
+        if (!typed.isEmpty()) offers.addClassesOf({}, typed);
     }
     return {static_cast<int>(typed.size()), offers.take()};
 }
