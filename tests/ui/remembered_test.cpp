@@ -26,9 +26,15 @@ protected:
         QTest::mouseMove(border, at + QPoint(0, down));
         QTest::mouseRelease(border, Qt::LeftButton, {}, at + QPoint(0, down));
     }
-    /// It is written beside the window; a program that ends waits for it.
-    static bool isWritten(const QString& key) {
-        return QTest::qWaitFor([&] { return QSettings().contains(key); }, 10000);
+    /// Anew: an earlier test of this process may have left something there. It is written beside the window; a program
+    /// that ends waits for it.
+    static bool isWritten(const QString& key, const QVariant& before) {
+        return QTest::qWaitFor(
+            [&] {
+                const QSettings file;
+                return file.contains(key) && file.value(key) != before;
+            },
+            10000);
     }
     template <class Window>
     static QSplitter* shownParts(Window& of, const QString& dock, const QString& name) {
@@ -45,11 +51,13 @@ TEST_F(Remembered, BordersWithinPanelsStayOverTheNextStart) {
         QSplitter* const parts = shownParts(window, dock, name);
         ASSERT_TRUE(parts);
         const QList<int> before = parts->sizes();
+        const QString key = "window/splitter/" + QString(name);
+        const QVariant written = QSettings().value(key);
         dragBorder(parts, -30);
         if (parts->sizes() == before) dragBorder(parts, 30);
         const QList<int> made = parts->sizes();
         ASSERT_NE(made, before) << name;
-        ASSERT_TRUE(isWritten("window/splitter/" + QString(name)));
+        ASSERT_TRUE(isWritten(key, written));
         MainWindow next;
         next.resize(window.size());
         next.show();
@@ -72,9 +80,10 @@ TEST_F(Remembered, DialogsBeginWhereTheLastOneEnded) {
     auto* dialog = panel<QFileDialog>("import-dialog");
     ASSERT_TRUE(dialog);
     EXPECT_NE(dialog->directory().absolutePath(), folder);
+    const QVariant written = QSettings().value("window/folder");
     Q_EMIT dialog->fileSelected(folder + "/run.csv");
     dialog->close();
-    ASSERT_TRUE(isWritten("window/folder"));
+    ASSERT_TRUE(isWritten("window/folder", written));
     MainWindow next;
     next.show();
     next.findChild<QAction*>("open")->trigger();
