@@ -1,3 +1,5 @@
+#include <QElapsedTimer>
+
 #include "tests/ui/panels_fixture.hpp"
 #include "ui/canvas/diagram_scene.hpp"
 #include "ui/canvas/diagram_view.hpp"
@@ -79,6 +81,68 @@ TEST(Bend, KeepsAWayThatWasLedByHandAndNoOther) {
     crowded.blocks.back().name = "c";
     crowded.blocks.back().placement.extent = {{60, -15}, {80, 5}};
     EXPECT_TRUE(keptWay(wire, before, crowded).empty()) << "it would cross a block";
+}
+
+/// The shown way of the only wire of a scene, in the diagram's coordinates.
+Way shownWay(const DiagramScene& scene) {
+    Way way;
+    for (const QLineF& line : scene.wires().front()->lines()) {
+        if (way.empty()) way.push_back({line.x1(), -line.y1()});
+        way.push_back({line.x2(), -line.y2()});
+    }
+    return way;
+}
+
+TEST(DraggedWire, AvoidsBlocksAsItWillWhenTheBlockIsDropped) {
+    Diagram diagram = twoBlocks({100, 60});
+    diagram.blocks.push_back(diagram.blocks.front());
+    diagram.blocks.back().name = "c";
+    diagram.blocks.back().placement.extent = {{40, -10}, {60, 10}};
+    Wire wire;
+    wire.from = "a.n";
+    wire.to = "b.p";
+    wire.points = routeWire(diagram, "a.n", "b.p");
+    diagram.wires = {wire};
+    DiagramScene scene;
+    scene.show(diagram);
+    const Way before = shownWay(scene);
+    scene.select("b");
+    for (const double dy : {-20.0, -40.0, -60.0}) {
+        scene.showMoved(0, dy);
+        const Way way = shownWay(scene);
+        EXPECT_EQ(way, Composer::moved(diagram, {"b"}, 0, dy).wires.front().points) << dy;
+        for (std::size_t i = 1; i < way.size(); ++i)
+            EXPECT_FALSE(std::min(way[i - 1].x, way[i].x) < 59 && std::max(way[i - 1].x, way[i].x) > 41 &&
+                         std::min(way[i - 1].y, way[i].y) < 9 && std::max(way[i - 1].y, way[i].y) > -9)
+                << "through the block between them, " << dy;
+    }
+    scene.showMoved(0, 0);
+    EXPECT_EQ(shownWay(scene), before);
+}
+
+TEST(DraggedWire, OfALargeDiagramFollowsThePointer) {
+    Diagram diagram = twoBlocks({0, -100});
+    const Block block = diagram.blocks.front();
+    for (int i = 0; i < 200; ++i) {
+        diagram.blocks.push_back(block);
+        diagram.blocks.back().name = "x" + std::to_string(i);
+        const double x = 40.0 * (i % 20), y = 40.0 * (1 + i / 20);
+        diagram.blocks.back().placement.extent = {{x - 10, y - 10}, {x + 10, y + 10}};
+        Wire wire;
+        wire.from = i == 0 ? "a.n" : "x" + std::to_string(i - 1) + ".n";
+        wire.to = "x" + std::to_string(i) + ".p";
+        wire.points = {{x - 30, y}, {x - 10, y}};
+        if (i < 190) diagram.wires.push_back(wire);
+    }
+    DiagramScene scene;
+    scene.show(diagram);
+    scene.setSelection({{"x5", "x25", "x45", "x65", "x85"}, {}});
+    scene.showMoved(10, 0);
+    QElapsedTimer clock;
+    clock.start();
+    constexpr int moves = 20;
+    for (int i = 0; i < moves; ++i) scene.showMoved(10.0 * i + 20, 10);
+    EXPECT_LT(clock.elapsed() / moves, 50) << "ten wires among 200 blocks, without optimisation in the build of a test";
 }
 
 /// A wire of a study that is open, dragged with the mouse.

@@ -9,7 +9,6 @@
 #include "ui/canvas/block_item.hpp"
 #include "ui/canvas/icon_painter.hpp"
 #include "ui/canvas/wire_item.hpp"
-#include "ui/route/bend.hpp"
 #include "ui/route/route.hpp"
 
 namespace analogon::ui {
@@ -136,6 +135,7 @@ void DiagramScene::show(const Diagram& diagram) {
     const QString shownBlock = selectedBlock();
     isRebuilding_ = true;
     diagram_ = diagram;
+    moved_.reset();
     pointedOut_.clear();
     clear();
     blocks_.clear();
@@ -292,41 +292,12 @@ void DiagramScene::selectIn(const QRectF& rect, const DiagramSelection& also) {
     setSelection(wanted);
 }
 
-namespace {
-
-/// Of a wire one end of which has moved. Whether it was led by hand is asked once for each drawing.
-std::vector<Point> wayAfter(const Diagram& before, const Diagram& after, WireItem& item) {
-    constexpr int isLed = 0;
-    const Wire& wire = item.wire();
-    if (!item.data(isLed).isValid()) item.setData(isLed, isLedByHand(before, wire));
-    const auto from = after.anchor(wire.from), to = after.anchor(wire.to);
-    std::vector<Point> way;
-    if (from && to && item.data(isLed).toBool()) way = stretched(simplified(wire.points), *from, *to);
-    return way.empty() ? routeWire(after, wire.from, wire.to, false) : way;
-}
-
-}  // namespace
-
 void DiagramScene::showMoved(double dx, double dy) {
     const DiagramSelection selected = selection();
     const std::set<std::string> names(selected.blocks.begin(), selected.blocks.end());
-    Diagram shifted;  // only what the wires at these blocks need
-    std::set<std::string> needed = names;
-    for (const WireItem* item : wires_)
-        for (const std::string& end : {item->wire().from, item->wire().to})
-            if (names.contains(instanceOf(end)))
-                needed.insert({instanceOf(item->wire().from), instanceOf(item->wire().to)});
-    for (const Block& b : diagram_.blocks) {
-        if (!needed.contains(b.name)) continue;
-        shifted.blocks.push_back(b);
-        if (!names.contains(b.name)) continue;
-        Placement& p = shifted.blocks.back().placement;
-        if (p.origin == Point{}) {
-            p.extent = {{p.extent.p1.x + dx, p.extent.p1.y + dy}, {p.extent.p2.x + dx, p.extent.p2.y + dy}};
-        } else {
-            p.origin = {p.origin.x + dx, p.origin.y + dy};
-        }
-    }
+    if (!moved_ || moved_->names() != names) moved_.emplace(withoutPictures(diagram_), names);
+    const bool isBack = dx == 0 && dy == 0;
+    const Diagram after = isBack ? Diagram() : moved_->at(dx, dy);
     for (const std::string& name : names)
         if (BlockItem* item = block(name)) item->setPos(dx, -dy);
     for (WireItem* item : wires_) {
@@ -335,12 +306,12 @@ void DiagramScene::showMoved(double dx, double dy) {
         if (first && last) {
             item->setPos(dx, -dy);
         } else if (first || last) {
-            if (dx == 0 && dy == 0)
-                item->showPoints(wire.points);
-            else if (const auto way = wayAfter(diagram_, shifted, *item); way.size() >= 2)
-                item->showPoints(way);
+            const auto led = std::find_if(after.wires.begin(), after.wires.end(),
+                                          [&](const Wire& w) { return w.from == wire.from && w.to == wire.to; });
+            item->showPoints(led == after.wires.end() || led->points.size() < 2 ? wire.points : led->points);
         }
     }
+    if (isBack) moved_.reset();
 }
 
 std::vector<std::pair<std::string, QPointF>> DiagramScene::connectors() const {

@@ -2,9 +2,11 @@
 
 #include <QGraphicsScene>
 #include <map>
+#include <optional>
 
 #include "core/diagram/diagram.hpp"
 #include "ui/canvas/mark_item.hpp"
+#include "ui/route/moved.hpp"
 #include "ui/route/selection.hpp"
 
 namespace analogon::ui {
@@ -78,6 +80,7 @@ private:
     std::vector<std::string> order_;  // selected blocks, first selected first
     std::map<std::string, BlockItem*> blocks_;
     std::vector<WireItem*> wires_;
+    std::optional<MovedBlocks> moved_;  // while they are dragged
     QGraphicsItem* graphics_{};
     bool isRebuilding_{};
 };

@@ -26,7 +26,7 @@ public:
         isDrawing_ = true;
         at_ = view_.mapToScene(event->pos());
         target_ = targetAt(event->pos());
-        way_ = target_ ? routeWire(view_.scene()->diagram(), from_, target_->name, false)
+        way_ = target_ ? routeWire(view_.scene()->diagram(), from_, target_->name)
                        : routeTo(view_.scene()->diagram(), from_, {at_.x(), -at_.y()});
         view_.viewport()->setCursor(target_ && !target_->refusal.isEmpty() ? Qt::ForbiddenCursor : Qt::CrossCursor);
         view_.viewport()->update();

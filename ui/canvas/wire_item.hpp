@@ -20,6 +20,9 @@ public:
     /// Points where this wire leaves another one: drawn as dots.
     void setJunctions(std::vector<QPointF> junctions);
 
+    /// As it is shown.
+    const QVector<QLineF>& lines() const { return lines_; }
+
     int type() const override { return Type; }
     QRectF boundingRect() const override;
     QPainterPath shape() const override;

@@ -334,21 +334,7 @@ bool Composer::remove(const DiagramSelection& selection) {
 }
 
 Diagram Composer::moved(const Diagram& diagram, const std::vector<std::string>& blocks, double dx, double dy) {
-    Diagram result = diagram;
-    const std::set<std::string> names(blocks.begin(), blocks.end());
-    for (Block& block : result.blocks)
-        if (names.contains(block.name)) block.placement = shifted(block.placement, dx, dy);
-    for (Wire& wire : result.wires) {
-        const bool first = names.contains(instanceOf(wire.from)), last = names.contains(instanceOf(wire.to));
-        if (first && last) {
-            for (Point& p : wire.points) p = {p.x + dx, p.y + dy};
-        } else if (first || last) {
-            std::vector<Point> way = keptWay(wire, diagram, result);
-            if (way.empty()) way = routeWire(result, wire.from, wire.to);
-            if (way.size() >= 2) wire.points = std::move(way);
-        }
-    }
-    return result;
+    return MovedBlocks(diagram, {blocks.begin(), blocks.end()}).at(dx, dy);
 }
 
 bool Composer::move(const std::vector<std::string>& blocks, double dx, double dy) {

@@ -9,6 +9,7 @@
 
 #include "core/diagram/diagram.hpp"
 #include "core/diagram/edit.hpp"
+#include "ui/route/moved.hpp"
 #include "ui/route/selection.hpp"
 
 namespace analogon::ui {
@@ -87,9 +88,6 @@ bool hasUnit(const Block& block);
 
 /// A name for a new component: "electricThermal" for BasicElectricThermal, "u" for an input.
 std::string baseName(const std::string& className);
-
-/// The same placement elsewhere.
-Placement shifted(Placement p, double dx, double dy);
 
 bool isModelicaName(const std::string& name);
 

@@ -8,19 +8,6 @@
 /// Several blocks of the diagram lined up.
 namespace analogon::ui {
 
-Placement shifted(Placement p, double dx, double dy) {
-    if (p.origin == Point{}) {
-        for (Point* corner : {&p.extent.p1, &p.extent.p2}) {
-            corner->x += dx;
-            corner->y += dy;
-        }
-    } else {
-        p.origin.x += dx;
-        p.origin.y += dy;
-    }
-    return p;
-}
-
 bool Composer::align(const std::vector<std::string>& blocks, Edge edge) {
     if (!isReady() || blocks.size() < 2) return false;
     const Block* first = document_.diagram().find(blocks.front());

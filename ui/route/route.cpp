@@ -49,6 +49,13 @@ double overlap(Point a, Point b, Point c, Point d) {
     return 0;
 }
 
+/// Whether two pieces at right angles meet: where both turn there, one would not see which goes where.
+bool meet(Point a, Point b, Point c, Point d) {
+    if ((a.x == b.x) == (c.x == d.x)) return false;
+    return std::min(a.x, b.x) <= std::max(c.x, d.x) && std::min(c.x, d.x) <= std::max(a.x, b.x) &&
+           std::min(a.y, b.y) <= std::max(c.y, d.y) && std::min(c.y, d.y) <= std::max(a.y, b.y);
+}
+
 /// Pieces of wires that belong to other nodes: a wire on top of them could not be told apart.
 using Pieces = std::vector<std::pair<Point, Point>>;
 
@@ -70,7 +77,10 @@ double costOf(const std::vector<Point>& way, const std::vector<Box>& boxes, cons
         cost += std::abs(way[i].x - way[i - 1].x) + std::abs(way[i].y - way[i - 1].y);
         for (const Box& box : boxes)
             if (crosses(way[i - 1], way[i], box)) cost += 150;
-        for (const auto& [a, b] : pieces) cost += 4 * overlap(way[i - 1], way[i], a, b);
+        for (const auto& [a, b] : pieces) {
+            cost += 4 * overlap(way[i - 1], way[i], a, b);
+            if (meet(way[i - 1], way[i], a, b)) cost += 8;  // twice at a corner
+        }
     }
     return turnsBack(way) ? cost + 400 : cost;
 }
@@ -136,19 +146,17 @@ std::vector<Point> simplified(const std::vector<Point>& points) {
     return result;
 }
 
-std::vector<Point> routeWire(const Diagram& diagram, const std::string& from, const std::string& to,
-                             bool avoidsBlocks) {
+std::vector<Point> routeWire(const Diagram& diagram, const std::string& from, const std::string& to) {
     const auto a = diagram.anchor(from), b = diagram.anchor(to);
     if (!a || !b) return {};
-    return bestWay(*a, diagram.direction(from), *b, diagram.direction(to),
-                   avoidsBlocks ? obstacles(diagram) : std::vector<Box>{},
-                   avoidsBlocks ? otherWires(diagram, from, to) : Pieces{});
+    return bestWay(*a, diagram.direction(from), *b, diagram.direction(to), obstacles(diagram),
+                   otherWires(diagram, from, to));
 }
 
 std::vector<Point> routeTo(const Diagram& diagram, const std::string& from, Point to) {
     const auto a = diagram.anchor(from);
     if (!a) return {};
-    return bestWay(*a, diagram.direction(from), to, {}, {}, {});
+    return bestWay(*a, diagram.direction(from), to, {}, obstacles(diagram), otherWires(diagram, from, from));
 }
 
 }  // namespace analogon::ui

@@ -5,10 +5,9 @@
 namespace analogon::ui {
 
 /// An orthogonal way between two connectors of a diagram that leaves each block straight away from its side. Of the
-/// ways with up to two bends between the stubs it takes the one with the least length, bends and, with `avoidsBlocks`,
-/// blocks crossed. Fewer than two points: a connector is unknown.
-std::vector<Point> routeWire(const Diagram& diagram, const std::string& from, const std::string& to,
-                             bool avoidsBlocks = true);
+/// ways with up to two bends between the stubs it takes the one with the least length, bends, blocks crossed and pieces
+/// that lie on other wires. Fewer than two points: a connector is unknown.
+std::vector<Point> routeWire(const Diagram& diagram, const std::string& from, const std::string& to);
 
 /// The same to a free point, as while a wire is being drawn.
 std::vector<Point> routeTo(const Diagram& diagram, const std::string& from, Point to);
