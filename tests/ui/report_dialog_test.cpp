@@ -5,6 +5,7 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPointer>
 #include <QPushButton>
 #include <QStatusBar>
 #include <QTextBrowser>
@@ -18,6 +19,7 @@
 #include "ui/effect/report_top.hpp"
 #include "ui/style/style.hpp"
 #include "ui/style/translator.hpp"
+#include "ui/window/report_folder.hpp"
 
 namespace analogon::ui {
 
@@ -96,6 +98,48 @@ TEST_F(Report, IsWrittenWithItsHeadLogoAndTheSectionsThatWereChosen) {
     EXPECT_TRUE(QFileInfo::exists(directory.filePath("report/study/mark.png")));
     EXPECT_FALSE(textOf("report/study/study.json").contains(directory.path())) << "no path of this machine";
     EXPECT_GT(QFileInfo(directory.filePath("report/report.pdf")).size(), 5000);
+}
+
+TEST_F(Report, GoesIntoADirectoryThatIsNamedAndNeedNotBeThere) {
+    openLambda();
+    run(RunKind::Fit);
+    const auto askWhere = [&] {
+        QTest::mouseClick(openDialog("report")->writeButton(), Qt::LeftButton);
+        auto* place = window.findChild<ReportFolderDialog*>();
+        EXPECT_TRUE(place);
+        place->setDirectory(directory.path());
+        return place;
+    };
+    const auto nameOf = [](QFileDialog* place) { return place->findChild<QLineEdit*>("fileNameEdit"); };
+    const auto type = [&](QFileDialog* place, const QString& name) {
+        nameOf(place)->selectAll();
+        QTest::keyClicks(nameOf(place), name);
+        QTest::keyClick(nameOf(place), Qt::Key_Return);
+    };
+    const auto isWritten = [&](const QString& name) {
+        const QString report = directory.filePath(name + "/report.html");
+        return QTest::qWaitFor([&] { return window.statusBar()->currentMessage().contains(name); }, 30000) &&
+               QFileInfo::exists(report);
+    };
+    QPointer<ReportFolderDialog> place = askWhere();
+    EXPECT_EQ(nameOf(place)->text(), "lambda report");
+    type(place, "findings");
+    EXPECT_TRUE(isWritten("findings"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return place.isNull(); }, 5000));
+
+    window.statusBar()->clearMessage();
+    type(askWhere(), "findings");
+    EXPECT_TRUE(isWritten("findings")) << "anew, over the one before";
+
+    ASSERT_TRUE(QDir(directory.path()).mkpath("full/of"));
+    window.statusBar()->clearMessage();
+    place = askWhere();
+    type(place, "full");
+    ASSERT_TRUE(place) << "it holds something else";
+    EXPECT_EQ(place->directory().dirName(), "full");
+    EXPECT_EQ(nameOf(place)->text(), "lambda report");
+    QTest::keyClick(nameOf(place), Qt::Key_Return);
+    EXPECT_TRUE(isWritten("full/lambda report"));
 }
 
 TEST_F(Report, LogoThatCannotBeReadIsToldInTheDialogAndTheReportIsWritten) {
@@ -182,11 +226,12 @@ TEST_F(Report, OnPaperShowsTheModelBeforeAndAfterWithTheEffectOutlined) {
     ReportHead head;
     head.leftOut = {ReportSection::Diagram};
     EXPECT_FALSE(reportBody("study", RunKind::Discover, found.finding, {{}, {}, diagrams}, head).contains("diagram:"));
-    const auto sizeOf = [&](const QString& file, const ReportPictures& pictures) {
-        EXPECT_EQ(writeReportPdf(directory.filePath(file), "study", RunKind::Discover, found.finding, pictures), "");
-        return QFileInfo(directory.filePath(file)).size();
+    const auto sizeOf = [&](const QString& name, const ReportPictures& pictures) {
+        const QString file = QStringLiteral(ANALOGON_PICTURES) + "/report-" + name + ".pdf";
+        EXPECT_EQ(writeReportPdf(file, "study", RunKind::Discover, found.finding, pictures), "");
+        return QFileInfo(file).size();
     };
-    EXPECT_GT(sizeOf("with.pdf", {{}, {}, diagrams}), sizeOf("without.pdf", {}) + 10000);
+    EXPECT_GT(sizeOf("with-diagrams", {{}, {}, diagrams}), sizeOf("without-diagrams", {}) + 10000);
 }
 
 /// As a German user sees it, light and dark.

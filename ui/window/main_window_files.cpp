@@ -42,6 +42,7 @@
 #include "ui/window/generate_page.hpp"
 #include "ui/window/main_window.hpp"
 #include "ui/window/report_dialog.hpp"
+#include "ui/window/report_folder.hpp"
 #include "ui/window/start_page.hpp"
 
 /// The window's dealings with files: opening, saving, importing, reporting.
@@ -64,8 +65,9 @@ bool isStudy(const QString& path) {
 constexpr const char* folderKey = "window/folder";
 
 /// A dialog beside the window. It begins where the last one ended, in this start or in an earlier one.
-QFileDialog* fileDialog(QWidget* window, Settings& settings, const QString& title, const QString& name) {
-    auto* dialog = new QFileDialog(window, title);
+template <class Dialog = QFileDialog>
+Dialog* fileDialog(QWidget* window, Settings& settings, const QString& title, const QString& name) {
+    auto* dialog = new Dialog(window, title);
     dialog->setObjectName(name);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setModal(false);
@@ -319,8 +321,9 @@ void MainWindow::askForReport() {
 }
 
 void MainWindow::askWhereToReport() {
-    QFileDialog* const dialog = fileDialog(this, settings_, tr("Write the report into a directory"), "report-dialog");
-    dialog->setFileMode(QFileDialog::Directory);
+    auto* dialog =
+        fileDialog<ReportFolderDialog>(this, settings_, tr("Write the report into a directory"), "report-dialog");
+    dialog->setProposal(tr("%1 report").arg(document_->title()).replace(u'/', u'-'));
     connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::writeReport);
     dialog->show();
 }
