@@ -23,6 +23,7 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <set>
 
 #include "core/study/validate.hpp"
 #include "core/syntax/parser.hpp"
@@ -176,6 +177,15 @@ protected:
 
     MainWindow window;
 };
+
+TEST(Examples, HaveEachAPictureOfItsOwn) {
+    std::set<QString> icons;
+    for (const Example& example : findExamples()) {
+        EXPECT_TRUE(QFile::exists(":/icons/" + example.icon + ".svg")) << example.icon.toStdString();
+        EXPECT_TRUE(icons.insert(example.icon).second) << example.icon.toStdString();
+    }
+    EXPECT_GE(icons.size(), 2u);
+}
 
 TEST_F(Window, OffersExamplesWhileNothingIsOpen) {
     EXPECT_FALSE(document().isOpen());

@@ -76,7 +76,7 @@ protected:
         painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
         const int icon = 28;
         const QRect iconBox(style::margin + style::unit, (height() - icon) / 2, icon, icon);
-        style::icon("example").paint(&painter, iconBox);
+        style::icon(example_.icon).paint(&painter, iconBox);
         const QRect box = rect().adjusted(iconBox.right() + style::margin + style::unit, style::margin, -style::margin,
                                           -style::margin);
         QFont bold = font();
@@ -121,6 +121,8 @@ std::vector<Example> findExamples() {
             if (QFile::exists(place + "/study.json")) example.path = place;
         if (example.path.isEmpty()) continue;
         example.title = entry.fileName();
+        example.icon = "example-" + entry.fileName();
+        if (!QFile::exists(":/icons/" + example.icon + ".svg")) example.icon = "example";
         describe(entry.filePath() + "/README.md", example);
         examples.push_back(example);
     }

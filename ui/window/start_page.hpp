@@ -13,6 +13,7 @@ namespace analogon::ui {
 /// A study that ships with the program.
 struct Example {
     QString path, title, description;
+    QString icon{};  // its own picture, where there is one for its directory
 };
 
 /// Examples of the installation, or of the source tree it was built from.
