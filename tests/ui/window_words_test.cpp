@@ -12,8 +12,10 @@
 #include <set>
 
 #include "tests/ui/panels_fixture.hpp"
+#include "ui/inspector/parameter_panel.hpp"
 #include "ui/measurement/measurement_panel.hpp"
 #include "ui/messages/message_panel.hpp"
+#include "ui/style/style.hpp"
 #include "ui/style/translator.hpp"
 #include "ui/words/words.hpp"
 
@@ -189,6 +191,26 @@ TEST_F(WindowMessages, WhatIsNotConnectedYetIsAGreyHintUntilARunIsAskedFor) {
     QTest::keyClick(&window, Qt::Key_F5);
     ASSERT_TRUE(QTest::qWaitFor([&] { return message("is not connected")->foreground().color() != hint; }, 5000));
     EXPECT_TRUE(panel<MessagePanel>()->isVisible());
+}
+
+/// As while a model is wired with the mouse.
+TEST_F(WindowMessages, AnOutputThatNothingLeadsToYetIsAGreyHint) {
+    openLambda();
+    const QString text = document().modelText();
+    QString open = text;
+    window.findChild<QDockWidget*>("traces")->raise();
+    document().typeText(open.remove(QRegularExpression("\\n\\s*connect\\(heater\\.i, i_mod\\)[^;]*;")));
+    ASSERT_NE(open, text);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return message("too few") != nullptr; }, 20000));
+    EXPECT_TRUE(message("too few")->text().contains("Nothing leads to i_mod yet"))
+        << message("too few")->text().toStdString();
+    EXPECT_EQ(message("too few")->foreground().color(), style::mutedText(window.palette()));
+    EXPECT_EQ(window.findChild<QToolButton*>("why-no-run")->text(), "Not connected yet: no run");
+    EXPECT_FALSE(panel<MessagePanel>()->isVisible()) << "it comes by itself for errors alone";
+    bool isSaid = false;
+    for (const QLabel* label : panel<ParameterPanel>()->findChildren<QLabel*>())
+        isSaid = isSaid || (label->isVisible() && label->text().startsWith("Not connected yet"));
+    EXPECT_TRUE(isSaid);
 }
 
 }  // namespace

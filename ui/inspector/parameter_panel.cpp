@@ -14,6 +14,7 @@
 
 #include "ui/document/document.hpp"
 #include "ui/document/mention.hpp"
+#include "ui/document/unfinished.hpp"
 #include "ui/inspector/knob.hpp"
 #include "ui/inspector/parameter_model.hpp"
 #include "ui/inspector/prior_text.hpp"
@@ -291,7 +292,9 @@ void ParameterPanel::updateFault() {
     const bool isFaulty = document_.isOpen() && document_.modelError() && model_->rowCount() > 0;
     fault_->setVisible(isFaulty);
     if (!isFaulty) return;
-    fault_->setText(document_.definition()
+    fault_->setText(isUnfinished(*document_.modelError())
+                        ? tr("Not connected yet: shown is what the declarations tell.")
+                    : document_.definition()
                         ? tr("The model has an error (see the messages): shown is what its declarations tell.")
                         : tr("The text of the model cannot be read (see the messages): shown is what it told last."));
 }

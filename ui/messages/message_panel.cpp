@@ -10,7 +10,7 @@
 
 #include "ui/document/document.hpp"
 #include "ui/document/mention.hpp"
-#include "ui/messages/unfinished.hpp"
+#include "ui/document/unfinished.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
 

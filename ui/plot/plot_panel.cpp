@@ -313,11 +313,15 @@ void PlotPanel::rebuild() {
     const int index = experiments_->currentIndex();
     if (names_.empty() || index < 0) {
         untrim_->hide();
-        empty_->setText(!document_.isOpen()      ? tr("Open a study to see its measurements here.")
-                        : document_.modelError() ? tr("The model has an error, and no measurement can be read.")
-                        : document_.canRun()     ? tr("Simulating the model as it stands …")
-                                             : tr("Import a measurement and map its columns: measured and simulated "
-                                                  "traces then appear here. Simulate (F4) shows the model by itself."));
+        empty_->setText(
+            !document_.isOpen()      ? tr("Open a study to see its measurements here.")
+            : document_.modelError() ? tr("The model has an error, and no measurement can be read.")
+            : document_.canRun()     ? tr("Simulating the model as it stands …")
+            : !document_.study().experiments.empty()
+                ? tr("Map a column of the recording to an output of the model, among the measurements: measured "
+                     "and simulated traces then appear here. Signals shows what was recorded at once.")
+                : tr("Import a measurement and map its columns: measured and simulated "
+                     "traces then appear here. Simulate (F4) shows the model by itself."));
         pages_->setCurrentWidget(empty_);
         return;
     }

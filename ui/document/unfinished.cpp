@@ -1,4 +1,4 @@
-#include "ui/messages/unfinished.hpp"
+#include "ui/document/unfinished.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,9 @@ namespace analogon::ui {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> sentences{
+constexpr std::array<std::string_view, 6> sentences{
     "the input '{}' of {} is not connected",
+    "{} has {} for {}: {} too few",
     "The model is singular.",
     "experiment '{}': the input '{}' of the model has no column",
     "experiment '{}' measures no output of the model",
