@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <set>
 
 #include "core/base/unit.hpp"
@@ -45,17 +46,71 @@ struct Pair {
     const Column* column{};
 };
 
+/// What feeds all of a test bench is seldom what drives one part of it.
+bool isSupply(const Column& column) {
+    static const std::set<std::string> supplies{"bat",    "batt",       "battery", "batterie", "ubat", "vbat",
+                                                "supply", "versorgung", "netz",    "mains",    "kl"};
+    const auto words = wordsOfName(column.name);
+    return std::any_of(words.begin(), words.end(), [&](const std::string& word) { return supplies.contains(word); });
+}
+
+/// It hardly changes: a model that is driven by it is not moved.
+bool isStill(const Column& column) {
+    constexpr double still = 0.05;  // of its largest value
+    double low = 0, high = 0, largest = 0;
+    bool isFirst = true;
+    for (const double value : column.values) {
+        if (!std::isfinite(value)) continue;
+        low = isFirst ? value : std::min(low, value);
+        high = isFirst ? value : std::max(high, value);
+        largest = std::max(largest, std::abs(value));
+        isFirst = false;
+    }
+    return !isFirst && high - low <= still * largest;
+}
+
 /// How well a column fits a signal; below 0: not at all.
-int scoreOf(const SignalFact& signal, const Column& column) {
+int scoreOf(const SignalFact& signal, bool isInput, const Column& column) {
     const bool knowsUnits = !signal.unit.empty() && !column.unit.empty();
     if (knowsUnits && !areConvertible(column.unit, signal.unit)) return -1;
     int score = knowsUnits ? 10 : 0;
     if (signal.name == column.name) score += 40;
     score += 4 * commonWords(signal.name, column.name) + commonWords(signal.description, column.name);
-    return score > 0 ? score : -1;
+    if (score <= 0) return -1;
+    // of two that fit alike, the one that drives
+    return 4 * score - (isInput && isSupply(column) ? 2 : 0) - (isInput && isStill(column) ? 1 : 0);
+}
+
+std::set<std::string> usedColumns(const StudyExperiment& experiment) {
+    std::set<std::string> used{experiment.timeColumn};
+    for (const auto* channels : {&experiment.inputs, &experiment.outputs})
+        for (const auto& [signal, mapping] : *channels) used.insert(mapping.column);
+    return used;
+}
+
+/// The columns that fit a signal best, by name; more than one: they fit alike.
+std::vector<std::string> bestColumns(const SignalFact& signal, bool isInput, const Table& table,
+                                     const std::set<std::string>& used) {
+    std::vector<std::string> best;
+    int most = 0;
+    for (const Column& column : table.columns) {
+        if (used.contains(column.name)) continue;
+        const int score = scoreOf(signal, isInput, column);
+        if (score <= 0 || score < most) continue;
+        if (score > most) best.clear();
+        most = score;
+        if (std::find(best.begin(), best.end(), column.name) == best.end()) best.push_back(column.name);
+    }
+    return best;
 }
 
 }  // namespace
+
+std::vector<std::string> rivalColumns(const StudyExperiment& experiment, const SignalFact& signal, bool isInput,
+                                      const Table& table) {
+    std::vector<std::string> best = bestColumns(signal, isInput, table, usedColumns(experiment));
+    return best.size() > 1 ? best : std::vector<std::string>();
+}
 
 std::string proposeTime(const Table& table) {
     for (const GuessedColumn& c : guessColumns(table))
@@ -71,16 +126,14 @@ void proposeMapping(StudyExperiment& experiment, const Table& table, const Model
         for (const auto& [signal, mapping] : other.outputs)
             if (table.find(mapping.column, mapping.group)) experiment.outputs.try_emplace(signal, mapping);
     }
-    std::set<std::string> used{experiment.timeColumn};
-    for (const auto* channels : {&experiment.inputs, &experiment.outputs})
-        for (const auto& [signal, mapping] : *channels) used.insert(mapping.column);
+    std::set<std::string> used = usedColumns(experiment), inDoubt;
     std::vector<Pair> pairs;
     const auto collect = [&](const std::vector<SignalFact>& signals, bool isInput) {
         const auto& mapped = isInput ? experiment.inputs : experiment.outputs;
         for (const SignalFact& signal : signals)
             for (const Column& column : table.columns)
                 if (!mapped.contains(signal.name) && !used.contains(column.name))
-                    if (const int score = scoreOf(signal, column); score > 0)
+                    if (const int score = scoreOf(signal, isInput, column); score > 0)
                         pairs.push_back({score, &signal, isInput, &column});
     };
     collect(facts.inputs, true);
@@ -88,8 +141,13 @@ void proposeMapping(StudyExperiment& experiment, const Table& table, const Model
     std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.score > b.score; });
     for (const Pair& pair : pairs) {
         auto& mapped = pair.isInput ? experiment.inputs : experiment.outputs;
-        if (mapped.contains(pair.signal->name) || used.contains(pair.column->name)) continue;
-        ChannelMapping& mapping = mapped[pair.signal->name];
+        const std::string& name = pair.signal->name;
+        if (mapped.contains(name) || used.contains(pair.column->name) || inDoubt.contains(name)) continue;
+        if (bestColumns(*pair.signal, pair.isInput, table, used).size() > 1) {
+            inDoubt.insert(name);  // it is asked, not guessed
+            continue;
+        }
+        ChannelMapping& mapping = mapped[name];
         mapping.column = pair.column->name;
         if (pair.column->isOnOtherRaster) mapping.group = pair.column->groupName();
         used.insert(pair.column->name);

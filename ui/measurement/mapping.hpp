@@ -9,10 +9,15 @@
 
 namespace analogon::ui {
 
-/// For signals of the model that have no column yet: the column that fits by unit and name, each at most once.
+/// For signals of the model that have no column yet: the column that fits by unit and name, each at most once. What
+/// drives is sought among what moves, before what supplies the bench; where two fit alike, none is taken.
 /// `like` are experiments whose mapping is taken over where the columns have the same names.
 void proposeMapping(StudyExperiment& experiment, const Table& table, const ModelFacts& facts,
                     const std::vector<StudyExperiment>& like);
+
+/// The columns, none of them used yet, that fit a signal alike and better than all others; empty: fewer than two.
+std::vector<std::string> rivalColumns(const StudyExperiment& experiment, const SignalFact& signal, bool isInput,
+                                      const Table& table);
 
 /// The column that is time: by unit and name, rising; empty: none.
 std::string proposeTime(const Table& table);

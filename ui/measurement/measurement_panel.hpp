@@ -19,6 +19,7 @@ namespace analogon::ui {
 
 class Document;
 struct RecordingExtent;
+struct SignalFact;
 }  // namespace analogon::ui
 namespace analogon {
 struct ChannelMapping;
@@ -64,6 +65,8 @@ private:
     enum TreeColumn { Model, Source, Clock, Unit, ColumnCount };
     void refresh();
     void fillTree();
+    static QString unmappedText(const StudyExperiment& experiment, const SignalFact& fact, bool isInput,
+                                const Table* table);
     QTreeWidgetItem* itemOf(const StudyExperiment& experiment);
     void markLeftOut();
     void mark(QTreeWidgetItem* top, const StudyExperiment& experiment) const;

@@ -13,6 +13,7 @@
 #include "core/study/recorded.hpp"
 #include "ui/document/document.hpp"
 #include "ui/measurement/locate.hpp"
+#include "ui/measurement/mapping.hpp"
 #include "ui/measurement/mapping_text.hpp"
 #include "ui/measurement/measurement_panel.hpp"
 #include "ui/measurement/recording_extent.hpp"
@@ -159,6 +160,17 @@ void MeasurementPanel::addUnread(QTreeWidgetItem* top, const StudyExperiment& ex
     item->setToolTip(0, tip.join('\n'));
 }
 
+/// Where two columns fit alike, which they are.
+QString MeasurementPanel::unmappedText(const StudyExperiment& experiment, const SignalFact& fact, bool isInput,
+                                       const Table* table) {
+    constexpr std::size_t mostNamed = 3;
+    const auto rivals = table ? rivalColumns(experiment, fact, isInput, *table) : std::vector<std::string>();
+    if (rivals.empty() || rivals.size() > mostNamed) return tr("not mapped");
+    QStringList names;
+    for (const std::string& name : rivals) names << QString::fromStdString(name);
+    return tr("%1?").arg(names.join(tr(" or ")));
+}
+
 /// The row of a recording with those below it. They come into the tree together: it lays itself out once.
 QTreeWidgetItem* MeasurementPanel::itemOf(const StudyExperiment& experiment) {
     const std::shared_ptr<const Table> whole = fileTable(document_.study().tables, experiment);
@@ -182,9 +194,10 @@ QTreeWidgetItem* MeasurementPanel::itemOf(const StudyExperiment& experiment) {
     const auto add = [&](const std::map<std::string, ChannelMapping>& channels,
                          const std::vector<SignalFact>& signalFacts, Kind kind) {
         const bool isInput = kind == Kind::Input;
-        const auto addSignal = [&](const std::string& signal, const ChannelMapping* mapping) {
-            auto* item = addRow(top, kind, QString::fromStdString(signal),
-                                mapping ? columnText(table, *mapping) : tr("not mapped"));
+        const auto addSignal = [&](const std::string& signal, const ChannelMapping* mapping,
+                                   const QString& unmapped = {}) {
+            auto* item =
+                addRow(top, kind, QString::fromStdString(signal), mapping ? columnText(table, *mapping) : unmapped);
             item->setFlags(item->flags() | Qt::ItemIsEditable);
             item->setData(0, signalRole, QString::fromStdString(signal));
             item->setIcon(0, style::icon(isInput ? "input" : "output"));
@@ -211,7 +224,8 @@ QTreeWidgetItem* MeasurementPanel::itemOf(const StudyExperiment& experiment) {
         };
         for (const auto& [signal, mapping] : channels) addSignal(signal, &mapping);
         for (const SignalFact& fact : signalFacts)
-            if (!channels.contains(fact.name)) addSignal(fact.name, nullptr);
+            if (!channels.contains(fact.name))
+                addSignal(fact.name, nullptr, unmappedText(experiment, fact, isInput, table));
     };
     add(experiment.inputs, document_.facts().inputs, Kind::Input);
     add(experiment.outputs, document_.facts().outputs, Kind::Output);
