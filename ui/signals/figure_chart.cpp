@@ -62,16 +62,18 @@ void FigureChart::want(PlotView view, std::vector<ChartLine> lines, double from,
     pause_.start();
 }
 
+void FigureChart::show(Figure figure) {
+    figure_ = std::move(figure);
+    draw();
+}
+
 void FigureChart::workOut() {
     worker_.start<Figure>(
         QString(),
         [view = view_, lines = lines_, from = from_, to = to_](const Progress&) {
             return figureOf(view, lines, from, to);
         },
-        [this](Figure figure) {
-            figure_ = std::move(figure);
-            draw();
-        });
+        [this](Figure figure) { show(std::move(figure)); });
 }
 
 void FigureChart::draw() {
@@ -85,7 +87,7 @@ void FigureChart::draw() {
     }
     chart()->setTitle(figure_.fault);
     chart()->setTitleBrush(style::mutedText(palette()));
-    if (!figure_.fault.isEmpty()) return;
+    if (!figure_.fault.isEmpty() || figure_.curves.empty()) return;
     const auto make = [&](const QString& title) {
         return makeAxis(title, figure_.isLogarithmic, "%.5g", font(), palette());
     };

@@ -17,6 +17,8 @@ public:
     explicit FigureChart(QWidget* parent = nullptr);
 
     void want(PlotView view, std::vector<ChartLine> lines, double from, double to);
+    /// One that was made elsewhere.
+    void show(Figure figure);
     const Figure& figure() const { return figure_; }
     QSize sizeHint() const override { return {300, 140}; }  // not that of its scene: axes share the room there is
 

@@ -11,6 +11,7 @@
 #include "ui/document/document.hpp"
 #include "ui/fit/run_bar.hpp"
 #include "ui/fit/run_controller.hpp"
+#include "ui/sensitivity/profile_dialog.hpp"
 #include "ui/sensitivity/sweep_dialog.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
@@ -170,6 +171,12 @@ void MainWindow::createMenus() {
     });
     sweep->setObjectName("sweep");
     sweep->setToolTip(tr("The error over one parameter as a curve, over two as a map"));
+    QAction* profile =
+        run->addAction(tr("Profile of the likelihood …"), Qt::CTRL | Qt::SHIFT | Qt::Key_L, this, [this] {
+            if (document_->isOpen()) (new ProfileDialog(*document_, this))->show();
+        });
+    profile->setObjectName("profile");
+    profile->setToolTip(tr("How far a fitted parameter may be from its estimate, all others fitted anew"));
     QAction* campaign =
         run->addAction(tr("Campaign …"), Qt::CTRL | Qt::SHIFT | Qt::Key_B, this, [this] { showCampaign({}); });
     campaign->setObjectName("campaign-action");

@@ -15,6 +15,7 @@
 #include "ui/fit/fit_panel.hpp"
 #include "ui/fit/run_controller.hpp"
 #include "ui/inspector/parameter_panel.hpp"
+#include "ui/sensitivity/profile_dialog.hpp"
 #include "ui/sensitivity/sweep_chart.hpp"
 #include "ui/sensitivity/sweep_dialog.hpp"
 #include "ui/signals/plot_area.hpp"
@@ -149,6 +150,19 @@ bool takeArrangements(Album& album, const QString& example) {
     return true;
 }
 
+/// The profile of the first fitted parameter.
+void takeProfile(Album& album, MainWindow& window) {
+    window.controller().start(RunKind::Fit);
+    waitUntil([&] { return !window.controller().isRunning(); });
+    window.findChild<QAction*>("profile")->trigger();
+    auto* dialog = window.findChild<ProfileDialog*>();
+    dialog->runButton()->click();
+    album.expect(waitUntil([&] { return dialog->interval().has_value(); }, 60000));
+    goOnFor();
+    album.takeDialog(*dialog, "22-profile");
+    dialog->reject();
+}
+
 /// The error over one parameter, and over two.
 bool takeSweep(Album& album, const QString& example) {
     MainWindow window;
@@ -170,6 +184,7 @@ bool takeSweep(Album& album, const QString& example) {
     goOnFor();
     album.takeDialog(*dialog, "22-sweep-of-two");
     dialog->reject();
+    takeProfile(album, window);
     return true;
 }
 
