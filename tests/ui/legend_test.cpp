@@ -87,6 +87,19 @@ TEST(Legend, LosesNoWordWhereAPanelIsLow) {
         }
 }
 
+TEST(ResidualScale, IsThatOfWhatIsLeftAfter) {
+    OutputPlot plot;
+    OutputPlot::Content shown = content();
+    shown.measured = Series(std::vector<double>{1, 2, 3});
+    shown.before = Series(std::vector<double>{101, 2, 3});
+    shown.after = Series(std::vector<double>{1.5, 2, 3});
+    plot.show(shown);
+    EXPECT_LT(plot.residual()->valueRange().second, 1) << "not the 100 of before";
+    shown.after = {};
+    plot.show(shown);
+    EXPECT_GT(plot.residual()->valueRange().second, 90) << "there is nothing else";
+}
+
 TEST(Legend, BreaksALongNameOfTheOutput) {
     OutputPlot plot;
     OutputPlot::Content shown = content();

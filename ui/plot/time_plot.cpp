@@ -139,9 +139,11 @@ void TimePlot::setValueRange(double low, double high) {
 
 void TimePlot::fitValues() {
     if (isCloseUp_) return redraw();
-    ValueRange range;
+    const auto hasAfter = [&](const Trace& trace) { return trace.role == TraceRole::After && !isHidden(trace.role); };
+    const bool isOfAfter = isSymmetric_ && std::any_of(traces_.begin(), traces_.end(), hasAfter);
+    ValueRange range;  // a residual as what is left after needs it, however large it was before
     for (std::size_t i = 0; i < traces_.size(); ++i)
-        if (!isHidden(traces_[i].role)) range.add(extents_[i].whole());
+        if (!isHidden(traces_[i].role) && (!isOfAfter || hasAfter(traces_[i]))) range.add(extents_[i].whole());
     if (range.isEmpty()) range = {0, 1};
     constexpr double farthest = 1e150;  // beyond, a range has no width that is a number
     double low = std::clamp(range.low, -farthest, farthest), high = std::clamp(range.high, -farthest, farthest);
