@@ -4696,6 +4696,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Den Bericht in ein Verzeichnis schreiben</translation>
     </message>
     <message>
+        <source>%1 report</source>
+        <translation>%1 Bericht</translation>
+    </message>
+    <message>
         <source>Writing the report</source>
         <translation>Bericht schreiben</translation>
     </message>
@@ -6215,6 +6219,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
 </context>
 <context>
     <name>core</name>
+    <message>
+        <source>the profile of {} was not found: the model cannot be fitted again from here</source>
+        <translation>das Profil von {} wurde nicht gefunden: Von hier aus lässt sich das Modell nicht noch einmal anpassen</translation>
+    </message>
     <message>
         <source>the state of the campaign cannot be read</source>
         <translation>der Stand der Kampagne ist nicht lesbar</translation>
@@ -14990,6 +14998,14 @@ Bitte den Namen prüfen.</translation>
         <translation>Parameter durchfahren …</translation>
     </message>
     <message>
+        <source>Profile of the likelihood …</source>
+        <translation>Profil der Likelihood …</translation>
+    </message>
+    <message>
+        <source>How far a fitted parameter may be from its estimate, all others fitted anew</source>
+        <translation>Wie weit ein angepasster Parameter von seinem Schätzwert liegen darf, alle anderen neu angepasst</translation>
+    </message>
+    <message>
         <source>The error over one parameter as a curve, over two as a map</source>
         <translation>Der Fehler über einem Parameter als Kurve, über zweien als Karte</translation>
     </message>
@@ -15224,6 +15240,84 @@ Bitte den Namen prüfen.</translation>
     <message>
         <source>Fault</source>
         <translation>Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>ReportFolderDialog</name>
+    <message>
+        <source>Directory:</source>
+        <translation>Verzeichnis:</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Schreiben</translation>
+    </message>
+</context>
+<context>
+    <name>ProfileDialog</name>
+    <message>
+        <source>Profile of the likelihood</source>
+        <translation>Profil der Likelihood</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Fitting the others at each value …</source>
+        <translation>Die anderen werden bei jedem Wert angepasst …</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Angehalten.</translation>
+    </message>
+    <message>
+        <source>Fit the parameters first (F5).</source>
+        <translation>Zuerst die Parameter anpassen (F5).</translation>
+    </message>
+    <message>
+        <source>How much worse the fit becomes where the parameter is held at other values and all others are fitted anew.</source>
+        <translation>Um wie viel schlechter die Anpassung wird, wenn der Parameter auf anderen Werten festgehalten und alle anderen neu angepasst werden.</translation>
+    </message>
+    <message>
+        <source>The recordings limit %1 on no side between %2 and %3.</source>
+        <translation>Die Aufzeichnungen begrenzen %1 zwischen %2 und %3 auf keiner Seite.</translation>
+    </message>
+    <message>
+        <source>95 % interval of %1: up to %3; the recordings set no lower limit down to %2.</source>
+        <translation>95-%-Intervall von %1: bis %3; nach unten setzen die Aufzeichnungen bis %2 keine Grenze.</translation>
+    </message>
+    <message>
+        <source>95 % interval of %1: from %2; the recordings set no upper limit up to %3.</source>
+        <translation>95-%-Intervall von %1: ab %2; nach oben setzen die Aufzeichnungen bis %3 keine Grenze.</translation>
+    </message>
+    <message>
+        <source>95 % interval of %1: from %2 to %3.</source>
+        <translation>95-%-Intervall von %1: von %2 bis %3.</translation>
+    </message>
+    <message>
+        <source>Fall of twice the log-likelihood</source>
+        <translation>Abfall der doppelten Log-Likelihood</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Estimate</source>
+        <translation>Schätzwert</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Work it out</source>
+        <translation>Berechnen</translation>
     </message>
 </context>
 </TS>
