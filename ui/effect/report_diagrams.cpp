@@ -16,7 +16,7 @@ namespace {
 constexpr int dotsPerPixel = 4;  // some 400 in an inch
 constexpr const char *pictureBefore = "diagram:before", *pictureAfter = "diagram:after";
 
-QImage pictureOf(const DiagramDrawing& drawing) {
+QImage paintedPicture(const DiagramDrawing& drawing) {
     QSvgRenderer renderer(QByteArray::fromStdString(drawing.svg));
     QImage image((QSizeF(drawing.width, drawing.height) * dotsPerPixel).toSize().expandedTo({1, 1}),
                  QImage::Format_RGB32);
@@ -26,7 +26,7 @@ QImage pictureOf(const DiagramDrawing& drawing) {
     return image;
 }
 
-QString figureOf(const QString& caption, const char* picture, const DiagramDrawing& drawing) {
+QString captionedPicture(const QString& caption, const char* picture, const DiagramDrawing& drawing) {
     return QStringLiteral("<p><b>%1</b></p><p><img src='%2' width='%3' height='%4'></p>")
         .arg(caption, picture)
         .arg(qRound(drawing.width))
@@ -37,8 +37,8 @@ QString figureOf(const QString& caption, const char* picture, const DiagramDrawi
 
 QString diagramsOnPaper(const DiagramPair& pair) {
     const DiagramDrawings drawings = diagramDrawings(pair);
-    const QString before = figureOf(ResultPanel::tr("Before"), pictureBefore, drawings.before),
-                  after = figureOf(ResultPanel::tr("After"), pictureAfter, drawings.after);
+    const QString before = captionedPicture(ResultPanel::tr("Before"), pictureBefore, drawings.before),
+                  after = captionedPicture(ResultPanel::tr("After"), pictureAfter, drawings.after);
     QString html = "<h2>" + ResultPanel::tr("The model before and after") + "</h2>";
     if (drawings.areBeside)
         html += "<table width='100%' cellspacing='0'><tr><td width='50%'>" + before + "</td><td width='50%'>" + after +
@@ -54,8 +54,8 @@ QString diagramsOnPaper(const DiagramPair& pair) {
 
 void addDiagrams(QTextDocument& document, const DiagramPair& pair) {
     const DiagramDrawings drawings = diagramDrawings(pair);
-    document.addResource(QTextDocument::ImageResource, QUrl(pictureBefore), pictureOf(drawings.before));
-    document.addResource(QTextDocument::ImageResource, QUrl(pictureAfter), pictureOf(drawings.after));
+    document.addResource(QTextDocument::ImageResource, QUrl(pictureBefore), paintedPicture(drawings.before));
+    document.addResource(QTextDocument::ImageResource, QUrl(pictureAfter), paintedPicture(drawings.after));
 }
 
 }  // namespace analogon::ui

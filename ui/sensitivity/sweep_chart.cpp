@@ -39,7 +39,7 @@ double edgeBefore(const std::vector<double>& values, std::size_t i, bool isLogar
     return isOuter ? one - half : one + half;
 }
 
-QString withUnit(const QString& number, const std::string& unit) {
+QString valueWithUnit(const QString& number, const std::string& unit) {
     return unit.empty() || unit == "1" ? number : number + " " + QString::fromStdString(unit);
 }
 
@@ -251,7 +251,7 @@ QStringList SweepChart::wordsOf(const SweepPoint& point) const {
     QStringList values;
     for (std::size_t i = 0; i < sweep_->axes.size(); ++i)
         values << QString::fromStdString(sweep_->axes[i].parameter) + " = " +
-                      withUnit(style::numberText(valuesAt(point)[i], 4), sweep_->units[i]);
+                      valueWithUnit(style::numberText(valuesAt(point)[i], 4), sweep_->units[i]);
     return values;
 }
 
