@@ -199,6 +199,9 @@ TEST_F(WindowMessages, AnOutputThatNothingLeadsToYetIsAGreyHint) {
     const QString text = document().modelText();
     QString open = text;
     window.findChild<QDockWidget*>("traces")->raise();
+    QTest::qWait(50);
+    const auto isSeen = [&] { return !panel<MessagePanel>()->visibleRegion().isEmpty(); };
+    ASSERT_FALSE(isSeen()) << "behind another tab";
     document().typeText(open.remove(QRegularExpression("\\n\\s*connect\\(heater\\.i, i_mod\\)[^;]*;")));
     ASSERT_NE(open, text);
     ASSERT_TRUE(QTest::qWaitFor([&] { return message("too few") != nullptr; }, 20000));
@@ -206,7 +209,10 @@ TEST_F(WindowMessages, AnOutputThatNothingLeadsToYetIsAGreyHint) {
         << message("too few")->text().toStdString();
     EXPECT_EQ(message("too few")->foreground().color(), style::mutedText(window.palette()));
     EXPECT_EQ(window.findChild<QToolButton*>("why-no-run")->text(), "Not connected yet: no run");
-    EXPECT_FALSE(panel<MessagePanel>()->isVisible()) << "it comes by itself for errors alone";
+    QStringList said;
+    auto* list = panel<MessagePanel>()->findChild<QListWidget*>();
+    for (int i = 0; i < list->count(); ++i) said << list->item(i)->text();
+    EXPECT_FALSE(isSeen()) << "it comes by itself for errors alone: " << said.join(" | ").toStdString();
     bool isSaid = false;
     for (const QLabel* label : panel<ParameterPanel>()->findChildren<QLabel*>())
         isSaid = isSaid || (label->isVisible() && label->text().startsWith("Not connected yet"));
