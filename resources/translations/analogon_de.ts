@@ -5042,6 +5042,10 @@ gehalten: Jeder Wert gilt bis zum nächsten Abtastwert</translation>
 <context>
     <name>ParameterModel</name>
     <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
         <source>at min</source>
         <translation>an unterer Grenze</translation>
     </message>
@@ -5664,6 +5668,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
 </context>
 <context>
     <name>ResultPanel</name>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
     <message>
         <source>Confidence</source>
         <translation>Sicherheit</translation>

@@ -286,5 +286,15 @@ TEST_F(GermanWords, NameWhatTheAnalysisFinds) {
               QString::fromUtf8("„K“ lässt sich nicht in „V“ umrechnen: Sie messen verschiedene Größen"));
 }
 
+/// "Unit" is one of a series for a campaign, and of measurement everywhere else.
+TEST(Translation, OfAWordWithTwoMeaningsIsThatOfItsPlace) {
+    Translator german;
+    ASSERT_TRUE(german.loadLanguage("de"));
+    for (const char* place : {"ParameterModel", "ResultPanel", "MeasurementPanel", "SignalModel", "ChannelBrowser"})
+        EXPECT_EQ(german.translate((std::string("analogon::ui::") + place).c_str(), "Unit", nullptr, -1), "Einheit")
+            << place;
+    EXPECT_EQ(german.translate("analogon::ui::UnitsModel", "Unit", nullptr, -1), "Exemplar");
+}
+
 }  // namespace
 }  // namespace analogon::ui
