@@ -61,8 +61,9 @@ struct Stay {
 struct Whole {
     Node node;
     Readings readings;
-    bool predicts{};  // clearly better than the model as given
-    bool isOnAll{};   // the node is of all samples, where the search works on fewer
+    bool predicts{};                          // clearly better than the model as given
+    bool isOnAll{};                           // the node is of all samples, where the search works on fewer
+    std::optional<ModelState> errorsOnAll{};  // at its values, without traces; there alone
 };
 
 /// Where a search has been: what follows there is known.

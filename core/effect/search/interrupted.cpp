@@ -59,21 +59,26 @@ Finding tellWhole(const SearchContext& search, const Node& node, const FlatModel
     return finding;
 }
 
-/// The node of a search on fewer samples as it is on all of them. False: that could not be told, or it is no better
-/// than the model as given.
-bool takeOnAll(const SearchContext& search, Whole& whole) {
+/// The node of a search on fewer samples with its errors on all of them, and with its traces where `withTraces`. False:
+/// they are not known, or no better than those of the model as given.
+bool takeOnAll(const SearchContext& search, Whole& whole, bool withTraces) {
     Node& node = whole.node;
     if (!whole.isOnAll) {
         const Outcome<Variant> all =
             withEffects(whole.readings.full, node.null.variant.effects, node.null.variant.values);
-        if (!all) return false;
-        Outcome<ModelState> state = stateOf(*all, node.null.fit, search.options.fit.simulation, {});
-        if (!state || isStopped()) return false;
+        if (!all || !whole.errorsOnAll) return false;
         node.null.variant = *all;
-        node.state = std::move(*state);
+        node.state = *whole.errorsOnAll;
         whole.isOnAll = true;
     }
-    return errorPercentOf(*node.state, Role::Fit) < errorPercentOf(search.frontier.begun->baseline, Role::Fit);
+    const bool isBetter =
+        errorPercentOf(*node.state, Role::Fit) < errorPercentOf(search.frontier.begun->baseline, Role::Fit);
+    if (isBetter && withTraces && !areLong(node.null.variant.task))
+        soon([&] {
+            Outcome<ModelState> state = stateOf(node.null.variant, node.null.fit, search.options.fit.simulation, {});
+            if (state && !isStopped()) node.state = std::move(*state);
+        });
+    return isBetter;
 }
 
 }  // namespace
@@ -126,7 +131,7 @@ void keepSoFar(SearchContext& search, const std::vector<CandidateResult>& candid
     const Whole* const best = search.frontier.toTell();
     std::optional<Whole> whole;  // the search goes on with the node as it is
     if (best != nullptr) whole = *best;
-    if (whole && !whole->readings.thinning.isWhole() && !takeOnAll(search, *whole)) whole.reset();
+    if (whole && !whole->readings.thinning.isWhole() && !takeOnAll(search, *whole, false)) whole.reset();
     Finding finding = whole ? tellWhole(search, whole->node, nullptr) : *search.frontier.begun;
     finding.candidates = candidates;
     settleVerdicts(finding, finding.candidates);
@@ -163,11 +168,7 @@ Outcome<Finding> foundSoFar(SearchContext& search, const NullModel& first) {
         frontier.begun = std::move(*fitted);
     }
     Whole* whole = frontier.toTell();
-    if (whole != nullptr && !whole->readings.thinning.isWhole()) {
-        bool isBetter = false;
-        soon([&] { isBetter = takeOnAll(search, *whole); });
-        if (!isBetter) whole = nullptr;
-    }
+    if (whole != nullptr && !whole->readings.thinning.isWhole() && !takeOnAll(search, *whole, true)) whole = nullptr;
     std::optional<FlatModel> valued;
     if (whole) {
         Node& node = whole->node;

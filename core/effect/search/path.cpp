@@ -64,6 +64,17 @@ void weighAgain(SearchContext& search, Node& path) {
     treatAlike(search, path);
 }
 
+/// The errors of a node on all samples, where the search works on fewer. Counts as no work of the search.
+std::optional<ModelState> errorsOnAll(const SearchContext& search, const NullModel& null) {
+    if (search.readings.thinning.isWhole()) return std::nullopt;
+    const WorkScope nobody(nullptr);
+    const Outcome<Variant> all = withEffects(search.readings.full, null.variant.effects, null.variant.values);
+    if (!all) return std::nullopt;
+    Outcome<ModelState> state = stateOf(*all, null.fit, search.options.fit.simulation, search.progress, Detail::Errors);
+    if (!state || search.progress.stopRequested()) return std::nullopt;
+    return std::move(*state);
+}
+
 /// Keeps the node as `best` where it is better than the best so far. Returns its error [%] of the fitted data; empty:
 /// stopped meanwhile.
 std::optional<double> keepBest(SearchContext& search, const Node& path, std::optional<Whole>& best) {
@@ -78,6 +89,7 @@ std::optional<double> keepBest(SearchContext& search, const Node& path, std::opt
     if (&best == &search.frontier.best.whole) search.frontier.keepClear();
     best = Whole{path, search.readings, predicts};
     best->node.state = std::move(*after);
+    best->errorsOnAll = errorsOnAll(search, path.null);
     keepSoFar(search, path.candidates);
     return error;
 }

@@ -68,6 +68,7 @@ Outcome<Finding> Run::run() {
 void Run::takeBestOnAll() {
     if (!onAll_ || !search_.work.isSpent()) return;
     try {
+        const WorkScope nobody(nullptr);  // what it was stopped at is told
         const StopScope scope(outside_.stopToken());
         fitBestOnAll(search_, *onAll_, outside_);
     } catch (const Stopped&) {

@@ -97,6 +97,37 @@ TEST(FoundSoFar, IsToldWithTheRecordingsAsTheyWereReadThen) {
               of.search.frontier.best.whole->node.state->experiments.front().outputs.front().measured);
 }
 
+/// Where the search works on fewer samples, all are told of, with the errors that were taken when the node was reached.
+TEST(FoundSoFar, IsToldWithItsErrorsOnAllSamples) {
+    WarmSearch of(laggingBody(3));
+    of.search.readings.thinning = {3};
+    of.search.readings.searched.task = thinned(of.search.readings.full.task, {3});
+    of.base = *fitNull(of.search.readings.searched, {}, NoiseLevel::Estimate, of.search.fit, of.search.progress);
+    const NullModel given =
+        *fitNull(of.search.readings.full, {}, NoiseLevel::Estimate, of.search.fit, of.search.progress);
+    reachTheLag(of);
+    of.search.frontier.begun->baseline = *stateOf(given.variant, given.fit, of.search.fit.simulation, {});
+    ASSERT_TRUE(of.search.frontier.best.whole->errorsOnAll);
+    Whole reached = *of.search.frontier.best.whole;
+    const Outcome<Finding> stopped = foundSoFar(of.search, of.base);
+    ASSERT_TRUE(stopped);
+    ASSERT_EQ(stopped->effects.size(), 1u);
+    EXPECT_EQ(stopped->final.experiments.front().time.size(), 400u);
+
+    of.search.frontier.best.whole = reached;
+    fitBestOnAll(of.search, given, of.search.progress);
+    const Whole& fitted = *of.search.frontier.best.whole;
+    EXPECT_TRUE(fitted.isOnAll);
+    EXPECT_EQ(fitted.node.null.channels.front().samples.size(), 400u);
+    EXPECT_LE(errorPercentOf(*fitted.node.state, Role::Fit), errorPercentOf(stopped->final, Role::Fit) + 1e-9);
+
+    of.search.frontier.best.whole = reached;
+    of.search.frontier.best.whole->errorsOnAll = of.search.frontier.begun->baseline;  // no better
+    const Outcome<Finding> worse = foundSoFar(of.search, of.base);
+    ASSERT_TRUE(worse);
+    EXPECT_TRUE(worse->effects.empty());
+}
+
 TEST(FoundSoFar, OfASearchThatReachedNothingIsTheModelAsGivenAndNoVerdict) {
     WarmSearch of(laggingBody(3));
     const Outcome<Finding> finding = foundSoFar(of.search, of.base);
