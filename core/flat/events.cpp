@@ -422,14 +422,15 @@ bool Events::check(const syntax::Expression& call, ExpressionId guard, const Sco
     }
     const ExpressionId holds =
         isTerminate ? guard : pool.binary(Operation::Or, pool.unary(Operation::Not, guard), condition->elements[0]);
-    const bool mayBeKnown = !isTerminate && (pool.isConstant(holds) || work_.translator->isParametric(holds));
+    const bool isConstant = pool.isConstant(holds);
+    const bool mayBeKnown = !isTerminate && (isConstant || work_.translator->isParametric(holds));
     if (const auto known = mayBeKnown ? work_.translator->constantNumber(holds, false) : std::nullopt) {
         if (*known == 0 && !isWarning) {
             work_.messages.error(phrase("{}", text->texts[0]), call.span,
                                  phrase("the condition of 'assert' does not hold"));
             return false;
         }
-        return true;
+        if (isConstant) return true;  // a parameter may come to another value in a fit
     }
     work_.model.events.checks.push_back({holds, text->texts[0], isWarning, isTerminate, call.span});
     return true;

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "core/base/guard.hpp"
 #include "core/flat/balance.hpp"
 #include "core/flat/binder.hpp"
@@ -55,8 +58,12 @@ Outcome<FlatModel> flattened(const Library& library, std::string_view className,
     work.model.name = definition->qualifiedName;
     run(work, *definition);
     if (work.messages.hasErrors()) {
-        // a class is not known where its file cannot be read
         Diagnostics all = work.messages.diagnostics();
+        const auto isOfAnUnknownClass = [](const Diagnostic& d) {
+            return std::string_view(d.message.pattern()).find("is not known") != std::string_view::npos;
+        };
+        if (std::none_of(all.begin(), all.end(), isOfAnUnknownClass)) return all;
+        // that it is not may be for a file that cannot be read
         const Diagnostics faults = library.lazyFaults();
         all.insert(all.end(), faults.begin(), faults.end());
         return all;

@@ -72,5 +72,13 @@ TEST(FreeParameter, IsRefusedWithWhatItsFunctionAsserts) {
                 testing::ElementsAre("no root | the condition of 'assert' does not hold"));
 }
 
+/// A fit may take the parameter to where it does not hold.
+TEST(AssertionOfAFunction, OnAParameterStaysACheck) {
+    const std::string text = R"(
+        function rootOf input Real a; output Real x; algorithm assert(a >= 0, "no root"); x := sqrt(a); end rootOf;
+        model M parameter Real p = 1; Real y = rootOf(p)*time; end M;)";
+    EXPECT_EQ(test::flatOf(text).events.checks.size(), 1u);
+}
+
 }  // namespace
 }  // namespace analogon
