@@ -14896,6 +14896,10 @@ Bitte den Namen prüfen.</translation>
 <context>
     <name>analogon::ui::SweepDialog</name>
     <message>
+        <source>This could not be set: the messages say why.</source>
+        <translation>Das ließ sich nicht setzen: Die Meldungen sagen, warum.</translation>
+    </message>
+    <message>
         <source>Sweep of parameters</source>
         <translation>Parameter durchfahren</translation>
     </message>

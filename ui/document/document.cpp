@@ -312,8 +312,8 @@ void Document::setParameterValue(const std::string& name, double value) {
     setParameterValues({{name, value}}, tr("Set %1").arg(QString::fromStdString(name)));
 }
 
-void Document::setParameterValues(const std::vector<std::pair<std::string, double>>& values, const QString& what) {
-    if (!isOpen()) return;
+bool Document::setParameterValues(const std::vector<std::pair<std::string, double>>& values, const QString& what) {
+    if (!isOpen()) return false;
     StudySettings changed = settings();
     const LibraryClass* model = library_.find(study_->className);
     std::optional<ModelEdit> edit;
@@ -332,13 +332,20 @@ void Document::setParameterValues(const std::vector<std::pair<std::string, doubl
             edit->setParameter(name, syntax::printNumber(value));
         }
     }
-    if (!edit) return applySettings(std::move(changed), what);
+    if (!edit) {
+        applySettings(std::move(changed), what);
+        return true;
+    }
     Outcome<syntax::TextEdit> text = edit->finish(what.toStdString());
-    if (!text) return setRunMessages(text.diagnostics());
+    if (!text) {
+        setRunMessages(text.diagnostics());
+        return false;
+    }
     if (isInSettings)
         applyBoth(std::move(*text), std::move(changed));
     else
         applyEdit(std::move(*text));
+    return true;
 }
 
 void Document::setStudyParameter(const std::string& name, const StudyParameter& parameter, const QString& what) {

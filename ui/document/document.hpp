@@ -114,8 +114,8 @@ public:
     void applyBoth(syntax::TextEdit edit, StudySettings settings);
     /// The value a run starts from: the study's own when it has one, else the text of the model.
     void setParameterValue(const std::string& name, double value);
-    /// Several as one step.
-    void setParameterValues(const std::vector<std::pair<std::string, double>>& values, const QString& what);
+    /// Several as one step. False: none was set, the messages say why.
+    bool setParameterValues(const std::vector<std::pair<std::string, double>>& values, const QString& what);
     void setStudyParameter(const std::string& name, const StudyParameter& parameter, const QString& what);
     /// Takes a run's study with the equations that are proposed over.
     void adoptProposed();

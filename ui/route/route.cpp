@@ -49,9 +49,17 @@ double overlap(Point a, Point b, Point c, Point d) {
     return 0;
 }
 
-/// Whether two pieces at right angles meet: where both turn there, one would not see which goes where.
+/// Whether a point lies within the rectangle of two others.
+bool isBetween(Point p, Point a, Point b) {
+    return p.x >= std::min(a.x, b.x) && p.x <= std::max(a.x, b.x) && p.y >= std::min(a.y, b.y) &&
+           p.y <= std::max(a.y, b.y);
+}
+
+/// Whether two pieces at right angles meet where one of them ends: where both turn there, one would not see which goes
+/// where. That they cross is no harm.
 bool meet(Point a, Point b, Point c, Point d) {
     if ((a.x == b.x) == (c.x == d.x)) return false;
+    if (!isBetween(a, c, d) && !isBetween(b, c, d) && !isBetween(c, a, b) && !isBetween(d, a, b)) return false;
     return std::min(a.x, b.x) <= std::max(c.x, d.x) && std::min(c.x, d.x) <= std::max(a.x, b.x) &&
            std::min(a.y, b.y) <= std::max(c.y, d.y) && std::min(c.y, d.y) <= std::max(a.y, b.y);
 }

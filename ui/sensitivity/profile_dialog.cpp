@@ -74,7 +74,11 @@ ProfileDialog::ProfileDialog(Document& document, QWidget* parent)
         if (isStopped_) showOutcome({});  // what was stopped early tells nothing
         follow();
     });
-    connect(&document, &Document::resultChanged, this, &ProfileDialog::fillParameters);
+    connect(&document, &Document::resultChanged, this, [this] {
+        worker_.drop();  // a profile of the result before
+        fillParameters();
+        follow();
+    });
     connect(&document, &Document::opened, this, &QDialog::close);
     follow();
 }

@@ -203,7 +203,10 @@ void SweepDialog::take(const SweepPoint& point) {
         wanted.emplace_back(sweep_->axes[i].parameter, values[i]);
         names << QString::fromStdString(sweep_->axes[i].parameter);
     }
-    document_.setParameterValues(wanted, tr("Set %1").arg(names.join(QStringLiteral(", "))));
+    if (!document_.setParameterValues(wanted, tr("Set %1").arg(names.join(QStringLiteral(", "))))) {
+        outcome_->setText(tr("This could not be set: the messages say why."));
+        return;
+    }
     outcome_->setText(tr("Set: %1. %2. Undo takes it back.")
                           .arg(chart_->wordsOf(point).join(QStringLiteral(", ")), chart_->errorWordsOf(point)));
 }

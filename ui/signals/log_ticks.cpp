@@ -37,8 +37,10 @@ std::vector<double> digitsOf(const LogSpan& span, const std::vector<int>& digits
 }
 
 std::vector<double> stepsOf(const LogSpan& span, double step) {
+    constexpr std::size_t most = 1000;  // of a range that rounding hardly leaves
     std::vector<double> values;
-    for (double k = std::ceil(span.low / step * (1 - 1e-9)); span.contains(k * step) && k * step > 0; ++k)
+    for (double k = std::ceil(span.low / step * (1 - 1e-9));
+         span.contains(k * step) && k * step > 0 && values.size() < most; ++k)
         values.push_back(k * step);
     return values;
 }
