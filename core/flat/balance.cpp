@@ -69,7 +69,7 @@ void Balance::countUnknowns() {
 }
 
 /// Variables of the component itself that stand in no equation, for the hint.
-std::string Balance::unused(const Instance& component) const {
+Balance::Unused Balance::unused(const Instance& component) const {
     std::vector<bool> used(work_.records.size());
     std::vector<ExpressionId> roots;
     for (const FlatEquation& equation : work_.model.equations) {
@@ -78,22 +78,25 @@ std::string Balance::unused(const Instance& component) const {
     }
     for (ExpressionId leaf : work_.pool.leaves(roots)) used[work_.pool[leaf].variable.value] = true;
     std::string names;
+    bool areOutputs = !component.parent;
     for (std::uint32_t i = 0; i < work_.records.size(); ++i) {
         if (used[i] || !work_.isContinuous({i}) || &work_.records[i].owner->component() != &component) continue;
         if (work_.records[i].causality == syntax::Causality::Input && !component.parent) continue;
-        if (names.size() > 100) return names + ", …";
+        areOutputs = areOutputs && work_.records[i].causality == syntax::Causality::Output;
+        if (names.size() > 100) return {names + ", …", areOutputs};
         names += (names.empty() ? "" : ", ") + work_.variable({i}).name;
     }
-    return names;
+    return {names, areOutputs && !names.empty()};
 }
 
 void Balance::checkComponents() {
     for (const Instance* component : work_.components) {
         const int surplus = component->equations - component->unknowns;
         if (surplus == 0 || !reported_.insert(component->className).second) continue;
-        const std::string names = surplus < 0 ? unused(*component) : std::string();
+        const auto [names, areOutputs] = surplus < 0 ? unused(*component) : Unused();
         const Text hint = surplus > 0     ? phrase("remove an equation or a value, or add a variable")
                           : names.empty() ? phrase("add an equation, or connect what is open")
+                          : areOutputs    ? phrase("no equation holds the output {}", names)
                                           : phrase("no equation holds {}", names);
         work_.messages.error(surplus > 0
                                  ? phrase("{} has {} for {}: {} too many", component->label(),

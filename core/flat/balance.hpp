@@ -20,7 +20,11 @@ public:
 private:
     void countUnknowns();
     void checkComponents();
-    std::string unused(const Instance& component) const;
+    struct Unused {
+        std::string names;
+        bool areOutputs{};  // of the model, all of them
+    };
+    Unused unused(const Instance& component) const;
 
     Flattening& work_;
     std::set<std::string> reported_;

@@ -9236,6 +9236,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>eine Gleichung hinzufügen, oder verbinden, was offen ist</translation>
     </message>
     <message>
+        <source>no equation holds the output {}</source>
+        <translation>in keiner Gleichung steht der Ausgang {}</translation>
+    </message>
+    <message>
         <source>no equation holds {}</source>
         <translation>in keiner Gleichung steht {}</translation>
     </message>

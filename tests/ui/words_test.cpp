@@ -167,7 +167,7 @@ TEST_F(GermanWords, NameFaultsOfAModel) {
     };
     EXPECT_EQ(said("model M\n  Real x;\n  Real y;\nequation\n  x = 1;\nend M;\n"),
               QString::fromUtf8("Modell „M“ hat 1 Gleichung für 2 Unbekannte: 1 zu wenig | "
-                                "Zu y führt noch nichts: verbinden oder eine Gleichung dafür schreiben."));
+                                "in keiner Gleichung steht y"));
     EXPECT_EQ(said("model M\n  parameter Real gain = 2;\n  Real x;\nequation\n  x = gian;\nend M;\n"),
               QString::fromUtf8("„gian“ ist in Modell „M“ nicht deklariert | ist „gain“ gemeint?"));
 }

@@ -8,9 +8,8 @@ namespace analogon::ui {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> sentences{
+constexpr std::array<std::string_view, 5> sentences{
     "the input '{}' of {} is not connected",
-    "{} has {} for {}: {} too few",
     "The model is singular.",
     "experiment '{}': the input '{}' of the model has no column",
     "experiment '{}' measures no output of the model",
@@ -22,8 +21,9 @@ constexpr std::array<std::string_view, 6> sentences{
 bool isUnfinished(const Diagnostic& fault) {
     const Text* first = &fault.message;  // of several sentences one behind the other
     while (first->pattern().empty() && !first->arguments().empty()) first = &first->arguments().front();
+    const bool isOpenOutput = fault.hint.pattern() == "no equation holds the output {}";
     return fault.severity == Severity::Error &&
-           std::find(sentences.begin(), sentences.end(), first->pattern()) != sentences.end();
+           (isOpenOutput || std::find(sentences.begin(), sentences.end(), first->pattern()) != sentences.end());
 }
 
 }  // namespace analogon::ui

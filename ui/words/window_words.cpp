@@ -30,7 +30,7 @@ const std::map<std::string_view, const char*>& windowSentences() {
          "says what it had until then; Search ten times as long, in the result and in the menu Run, "
          "goes on"},
         {"{}: tell its start value, or fit it (\"initial\")", "{}: the start value of the model is another one"},
-        {"no equation holds {}", "Nothing leads to {} yet: connect it, or write an equation for it."},
+        {"no equation holds the output {}", "Nothing leads to {} yet: connect it, or write an equation for it."},
         {"the study has no experiment with the role \"fit\"", "no recording is used to fit"},
         {"Give an output of an experiment that is fitted a \"weight\" above 0, or none.",
          "Give a recording that is used to fit a weight above 0 in the table of recordings."},

@@ -19,6 +19,8 @@ TEST(Balance, ASurplusOrALackNamesTheComponent) {
                 ElementsAre(HasSubstr("component 'joint' (Tight) has 5 equations for 4 unknowns: 1 too many")));
     EXPECT_THAT(faultsOf("model M Real x, lost; equation x = 1; end M;"),
                 ElementsAre("model 'M' has 1 equation for 2 unknowns: 1 too few | no equation holds lost"));
+    EXPECT_THAT(faultsOf("connector Out = output Real; model M Real x; Out lost; equation x = 1; end M;"),
+                ElementsAre("model 'M' has 1 equation for 2 unknowns: 1 too few | no equation holds the output lost"));
     EXPECT_THAT(faultsOf("model M Real x; equation x = 1; x = 2; end M;"),
                 ElementsAre(HasSubstr("model 'M' has 2 equations for 1 unknown: 1 too many")));
 }
