@@ -108,7 +108,7 @@ std::vector<Point> keptWay(const Wire& wire, const Diagram& before, const Diagra
     if (!from || !to) return {};
     const std::vector<Point> was = simplified(wire.points);
     std::vector<Point> way = stretched(was, *from, *to);
-    if (way.empty() || !isLedByHand(before, wire)) return {};
+    if (way.empty()) return {};
     return crossesBlock(after, way) && !crossesBlock(before, was) ? std::vector<Point>() : way;
 }
 

@@ -26,8 +26,8 @@ std::vector<Point> stretched(const std::vector<Point>& way, Point from, Point to
 /// Whether a wire runs otherwise than the program would lead it: by hand.
 bool isLedByHand(const Diagram& diagram, const Wire& wire);
 
-/// The way of a wire led by hand, whose ends stand elsewhere `after`; empty: it is to be led anew, as it would turn
-/// back on itself or come to cross a block.
+/// The way of a wire that was led by hand, whose ends stand elsewhere `after`; empty: it is to be led anew, as it would
+/// turn back on itself or come to cross a block.
 std::vector<Point> keptWay(const Wire& wire, const Diagram& before, const Diagram& after);
 
 }  // namespace analogon::ui

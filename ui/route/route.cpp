@@ -59,9 +59,7 @@ bool isBetween(Point p, Point a, Point b) {
 /// where. That they cross is no harm.
 bool meet(Point a, Point b, Point c, Point d) {
     if ((a.x == b.x) == (c.x == d.x)) return false;
-    if (!isBetween(a, c, d) && !isBetween(b, c, d) && !isBetween(c, a, b) && !isBetween(d, a, b)) return false;
-    return std::min(a.x, b.x) <= std::max(c.x, d.x) && std::min(c.x, d.x) <= std::max(a.x, b.x) &&
-           std::min(a.y, b.y) <= std::max(c.y, d.y) && std::min(c.y, d.y) <= std::max(a.y, b.y);
+    return isBetween(a, c, d) || isBetween(b, c, d) || isBetween(c, a, b) || isBetween(d, a, b);
 }
 
 /// Pieces of wires that belong to other nodes: a wire on top of them could not be told apart.
@@ -93,9 +91,29 @@ double costOf(const std::vector<Point>& way, const std::vector<Box>& boxes, cons
     return turnsBack(way) ? cost + 400 : cost;
 }
 
+/// What none of the ways can touch is left out of their costs: the same way is the best.
+void keepWithin(const Box& region, std::vector<Box>& boxes, Pieces& pieces) {
+    const auto isApart = [&](Point a, Point b) {
+        return std::max(a.x, b.x) < region.low.x || std::min(a.x, b.x) > region.high.x ||
+               std::max(a.y, b.y) < region.low.y || std::min(a.y, b.y) > region.high.y;
+    };
+    std::erase_if(boxes, [&](const Box& box) { return isApart(box.low, box.high); });
+    std::erase_if(pieces, [&](const auto& piece) { return isApart(piece.first, piece.second); });
+}
+
+Box regionOf(const std::vector<std::vector<Point>>& ways) {
+    Box region{{1e300, 1e300}, {-1e300, -1e300}};
+    for (const std::vector<Point>& way : ways)
+        for (const Point p : way) {
+            region.low = {std::min(region.low.x, p.x), std::min(region.low.y, p.y)};
+            region.high = {std::max(region.high.x, p.x), std::max(region.high.y, p.y)};
+        }
+    return region;
+}
+
 double snapped(double value) { return std::round(value / 5) * 5; }
 
-std::vector<Point> bestWay(Point a, Point da, Point b, Point db, const std::vector<Box>& boxes, const Pieces& pieces) {
+std::vector<Point> bestWay(Point a, Point da, Point b, Point db, std::vector<Box> boxes, Pieces pieces) {
     const Point p{a.x + stub * da.x, a.y + stub * da.y}, q{b.x + stub * db.x, b.y + stub * db.y};
     std::vector<std::vector<Point>> ways{{a, p, {q.x, p.y}, q, b}, {a, p, {p.x, q.y}, q, b}};
     std::vector<double> across{snapped((a.x + b.x) / 2)}, along{snapped((a.y + b.y) / 2)};
@@ -109,6 +127,7 @@ std::vector<Point> bestWay(Point a, Point da, Point b, Point db, const std::vect
     }
     for (const double x : across) ways.push_back({a, p, {x, p.y}, {x, q.y}, q, b});
     for (const double y : along) ways.push_back({a, p, {p.x, y}, {q.x, y}, q, b});
+    keepWithin(regionOf(ways), boxes, pieces);
     std::vector<Point> best;
     double bestCost = 1e300;
     for (const std::vector<Point>& way : ways) {
