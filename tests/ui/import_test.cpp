@@ -2,7 +2,6 @@
 #include <quazip/quazipfile.h>
 
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -12,11 +11,11 @@
 #include <QToolButton>
 #include <QTreeWidget>
 #include <cmath>
-#include <ctime>
 
 #include "core/study/recorded.hpp"
 #include "tests/core/measure/mdf/mdf4_writer.hpp"
 #include "tests/ui/panels_fixture.hpp"
+#include "tests/working_time.hpp"
 #include "ui/measurement/channel_browser.hpp"
 #include "ui/measurement/compare_page.hpp"
 #include "ui/measurement/course_plot.hpp"
@@ -288,21 +287,16 @@ class LongestTurn : public QObject {
 public:
     LongestTurn() {
         connect(&timer_, &QTimer::timeout, this, [this] {
-            const double now = processorTime();
+            const double now = test::workedMilliseconds();
             if (last_ > 0) longest_ = std::max(longest_, now - last_);
             last_ = now;
         });
         timer_.start(0);
     }
-    double milliseconds() const { return 1e3 * longest_; }
+    double milliseconds() const { return longest_; }
     void forget() { longest_ = last_ = 0; }
 
 private:
-    static double processorTime() {
-        timespec time{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-    }
     QTimer timer_;
     double longest_{}, last_{};
 };
@@ -326,7 +320,7 @@ TEST_F(Import, ALongTextIsReadBesideTheWindow) {
     turn.forget();
     window.open(file);
     ASSERT_TRUE(QTest::qWaitFor([&] { return import()->acceptButton()->isEnabled(); }, 120000));
-    EXPECT_LT(turn.milliseconds(), 20) << "while the file is read and shown";
+    EXPECT_LT(turn.milliseconds(), 50) << "while the file is read and shown";
     turn.forget();
     QTest::mouseClick(import()->acceptButton(), Qt::LeftButton);
     QTest::qWait(500);
@@ -350,7 +344,7 @@ TEST_F(Import, ALongBinaryFileIsReadBesideTheWindow) {
     turn.forget();
     window.open(file);
     ASSERT_TRUE(QTest::qWaitFor([&] { return import()->acceptButton()->isEnabled(); }, 120000));
-    EXPECT_LT(turn.milliseconds(), 20) << "while the file is read and shown";
+    EXPECT_LT(turn.milliseconds(), 50) << "while the file is read and shown";
     RecordProperty("longest_turn_us", static_cast<int>(1e3 * turn.milliseconds()));
     QTest::mouseClick(import()->acceptButton(), Qt::LeftButton);
     const StudyExperiment& taken = document().study().experiments.back();
@@ -392,7 +386,7 @@ TEST_F(Import, ALongWorkbookIsReadBesideTheWindow) {
     turn.forget();
     window.open(file);
     ASSERT_TRUE(QTest::qWaitFor([&] { return import()->acceptButton()->isEnabled(); }, 120000));
-    EXPECT_LT(turn.milliseconds(), 20) << "while the file is read and shown";
+    EXPECT_LT(turn.milliseconds(), 50) << "while the file is read and shown";
     RecordProperty("longest_turn_us", static_cast<int>(1e3 * turn.milliseconds()));
     QTest::mouseClick(import()->acceptButton(), Qt::LeftButton);
     const StudyExperiment& taken = document().study().experiments.back();

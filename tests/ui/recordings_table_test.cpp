@@ -8,9 +8,9 @@
 #include <QToolButton>
 #include <QTreeWidget>
 #include <algorithm>
-#include <ctime>
 
 #include "tests/ui/panels_fixture.hpp"
+#include "tests/working_time.hpp"
 #include "ui/measurement/measurement_panel.hpp"
 #include "ui/measurement/recordings_model.hpp"
 #include "ui/measurement/recordings_page.hpp"
@@ -38,12 +38,6 @@ protected:
         return -1;
     }
     QPoint at(const QModelIndex& index) const { return view()->visualRect(index).center(); }
-    /// That the thread of the window has worked; what else the machine does is left out.
-    static double busyMilliseconds() {
-        timespec spent{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
-        return 1e3 * static_cast<double>(spent.tv_sec) + 1e-6 * static_cast<double>(spent.tv_nsec);
-    }
     const StudyExperiment& recording(const QString& name) {
         const std::vector<StudyExperiment>& all = document().study().experiments;
         return *std::find_if(all.begin(), all.end(), [&](const auto& e) { return e.name == name.toStdString(); });
@@ -258,17 +252,17 @@ TEST_F(RecordingsTable, HoldsTwoHundredRecordingsWithoutAPauseAndSortsThem) {
     ASSERT_EQ(view()->model()->rowCount(), 202);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !text(100, duration()).isEmpty(); }, 20000));
     const int x = view()->horizontalHeader()->sectionViewportPosition(RecordingsModel::Weight) + 20;
-    double from = busyMilliseconds();
+    double from = test::workedMilliseconds();
     QTest::mouseClick(view()->horizontalHeader()->viewport(), Qt::LeftButton, {}, {x, 8});
     view()->viewport()->repaint();
-    const double sorted = busyMilliseconds() - from;
+    const double sorted = test::workedMilliseconds() - from;
     for (int row = 1; row < 202; ++row)
         ASSERT_LE(text(row - 1, RecordingsModel::Weight).toDouble(), text(row, RecordingsModel::Weight).toDouble());
     view()->setCurrentIndex(cell(150, RecordingsModel::Weight));
-    from = busyMilliseconds();
+    from = test::workedMilliseconds();
     QTest::keyClick(view(), Qt::Key_Space);
     window.repaint();
-    const double edited = busyMilliseconds() - from;
+    const double edited = test::workedMilliseconds() - from;
     std::printf("sorted in %.1f ms, edited in %.1f ms\n", sorted, edited);
 #ifdef __SANITIZE_ADDRESS__
     constexpr double most = 500;
