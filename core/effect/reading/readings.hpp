@@ -45,4 +45,9 @@ struct Readings {
     }
 };
 
+/// A model with all that is read on every sample, at its values.
+inline Outcome<Variant> onAllSamples(const Readings& readings, const NullModel& null) {
+    return withEffects(readings.full, null.variant.effects, null.variant.values);
+}
+
 }  // namespace analogon

@@ -63,7 +63,7 @@ struct Whole {
     Readings readings;
     bool predicts{};                          // clearly better than the model as given
     bool isOnAll{};                           // the node is of all samples, where the search works on fewer
-    std::optional<ModelState> errorsOnAll{};  // at its values, without traces; there alone
+    std::optional<ModelState> errorsOnAll{};  // at its values, without bands; there alone
 };
 
 /// Where a search has been: what follows there is known.

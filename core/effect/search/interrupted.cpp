@@ -46,9 +46,9 @@ bool isClear(const Whole& whole) {
 }
 
 /// The model as given, and with the effects of a path that is not the end of the search.
-Finding tellWhole(const SearchContext& search, const Node& node, const FlatModel* valued) {
+Finding tellWhole(const SearchContext& search, const Node& node, const ModelState& state, const FlatModel* valued) {
     Finding finding = *search.frontier.begun;
-    finding.final = *node.state;
+    finding.final = state;
     const auto& onTime = search.readings.drawn.errorsOnTime;
     addEffects(finding, node, {}, valued, onTime ? onTime->first : -1);
     for (AddedEffect& e : finding.effects) e.confidence = Confidence::Indicated;  // the last tests are not made yet
@@ -59,26 +59,29 @@ Finding tellWhole(const SearchContext& search, const Node& node, const FlatModel
     return finding;
 }
 
-/// The node of a search on fewer samples with its errors on all of them, and with its traces where `withTraces`. False:
-/// they are not known, or no better than those of the model as given.
-bool takeOnAll(const SearchContext& search, Whole& whole, bool withTraces) {
+/// What is told of a node, always of all samples; null: that is not known, or no better than the model as given.
+const ModelState* stateToTell(const SearchContext& search, const Whole& whole) {
+    if (whole.readings.thinning.isWhole()) return &*whole.node.state;
+    const std::optional<ModelState>& state = whole.isOnAll ? whole.node.state : whole.errorsOnAll;
+    const double given = errorPercentOf(search.frontier.begun->baseline, Role::Fit);
+    return state && errorPercentOf(*state, Role::Fit) < given ? &*state : nullptr;
+}
+
+/// The node of a search on fewer samples as it is on all of them, with its bands where there is time for them.
+void takeOnAll(const SearchContext& search, Whole& whole) {
     Node& node = whole.node;
     if (!whole.isOnAll) {
-        const Outcome<Variant> all =
-            withEffects(whole.readings.full, node.null.variant.effects, node.null.variant.values);
-        if (!all || !whole.errorsOnAll) return false;
-        node.null.variant = *all;
-        node.state = *whole.errorsOnAll;
+        Outcome<Variant> all = onAllSamples(whole.readings, node.null);
+        if (!all) return;
+        node.null.variant = std::move(*all);
+        node.state = whole.errorsOnAll;
         whole.isOnAll = true;
     }
-    const bool isBetter =
-        errorPercentOf(*node.state, Role::Fit) < errorPercentOf(search.frontier.begun->baseline, Role::Fit);
-    if (isBetter && withTraces && !areLong(node.null.variant.task))
-        soon([&] {
-            Outcome<ModelState> state = stateOf(node.null.variant, node.null.fit, search.options.fit.simulation, {});
-            if (state && !isStopped()) node.state = std::move(*state);
-        });
-    return isBetter;
+    if (areLong(node.null.variant.task)) return;
+    soon([&] {
+        Outcome<ModelState> state = stateOf(node.null.variant, node.null.fit, search.options.fit.simulation, {});
+        if (state && !isStopped()) node.state = std::move(*state);
+    });
 }
 
 }  // namespace
@@ -87,7 +90,7 @@ void fitBestOnAll(SearchContext& search, const NullModel& given, const Progress&
     Whole* const whole = search.frontier.toTell();
     if (whole == nullptr) return;
     Node& node = whole->node;
-    const Outcome<Variant> all = withEffects(whole->readings.full, node.null.variant.effects, node.null.variant.values);
+    const Outcome<Variant> all = onAllSamples(whole->readings, node.null);
     if (!all) return;
     Outcome<NullModel> fitted = fitNull(*all, given.noise, NoiseLevel::Estimate, search.options.fit, progress);
     if (!fitted || progress.stopRequested()) return;
@@ -129,10 +132,8 @@ Outcome<Finding> fittedSoFar(const NullModel& null, const SimulationOptions& sim
 void keepSoFar(SearchContext& search, const std::vector<CandidateResult>& candidates) {
     if (!search.options.keep || !search.frontier.begun) return;
     const Whole* const best = search.frontier.toTell();
-    std::optional<Whole> whole;  // the search goes on with the node as it is
-    if (best != nullptr) whole = *best;
-    if (whole && !whole->readings.thinning.isWhole() && !takeOnAll(search, *whole, false)) whole.reset();
-    Finding finding = whole ? tellWhole(search, whole->node, nullptr) : *search.frontier.begun;
+    const ModelState* const state = best != nullptr ? stateToTell(search, *best) : nullptr;
+    Finding finding = state != nullptr ? tellWhole(search, best->node, *state, nullptr) : *search.frontier.begun;
     finding.candidates = candidates;
     settleVerdicts(finding, finding.candidates);
     search.options.keep(std::move(finding));
@@ -168,10 +169,11 @@ Outcome<Finding> foundSoFar(SearchContext& search, const NullModel& first) {
         frontier.begun = std::move(*fitted);
     }
     Whole* whole = frontier.toTell();
-    if (whole != nullptr && !whole->readings.thinning.isWhole() && !takeOnAll(search, *whole, true)) whole = nullptr;
+    if (whole != nullptr && stateToTell(search, *whole) == nullptr) whole = nullptr;
     std::optional<FlatModel> valued;
     if (whole) {
         Node& node = whole->node;
+        if (!whole->readings.thinning.isWhole()) takeOnAll(search, *whole);
         readAsThen(search, *whole);
         soon([&] { takeChecksAndRecordings(search, node); });
         soon([&] {
@@ -179,7 +181,8 @@ Outcome<Finding> foundSoFar(SearchContext& search, const NullModel& first) {
                 valued = std::move(*flat);
         });
     }
-    Finding finding = whole ? tellWhole(search, whole->node, valued ? &*valued : nullptr) : *frontier.begun;
+    Finding finding =
+        whole ? tellWhole(search, whole->node, *whole->node.state, valued ? &*valued : nullptr) : *frontier.begun;
     finding.candidates = whole ? whole->node.candidates : frontier.noted;
     const Text why = takenOut(phrase("the search was stopped before it was borne out"));
     for (CandidateResult& c : finding.candidates)

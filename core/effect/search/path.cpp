@@ -68,7 +68,7 @@ void weighAgain(SearchContext& search, Node& path) {
 std::optional<ModelState> errorsOnAll(const SearchContext& search, const NullModel& null) {
     if (search.readings.thinning.isWhole()) return std::nullopt;
     const WorkScope nobody(nullptr);
-    const Outcome<Variant> all = withEffects(search.readings.full, null.variant.effects, null.variant.values);
+    const Outcome<Variant> all = onAllSamples(search.readings, null);
     if (!all) return std::nullopt;
     Outcome<ModelState> state = stateOf(*all, null.fit, search.options.fit.simulation, search.progress, Detail::Errors);
     if (!state || search.progress.stopRequested()) return std::nullopt;

@@ -365,7 +365,7 @@ Outcome<Done> Run::fitAtLast() {
         // what is left with the inputs as recorded is their noise; it says nothing of the component
         if (isQuiet) end_.beforeReading = node.null;
         Outcome<Variant> whole = node.null.variant;
-        if (isOther) whole = withEffects(readings.full, node.null.variant.effects, node.null.variant.values);
+        if (isOther) whole = onAllSamples(readings, node.null);
         if (!whole) return whole.diagnostics();
         Outcome<NullModel> fitted = fitNull(*whole, onAll_ ? onAll_->noise : node.null.noise,
                                             isOther ? NoiseLevel::Estimate : NoiseLevel::Keep, exact, search_.progress);

@@ -128,7 +128,7 @@ void holdUnneededStarts(SearchContext& search, NullModel& null) {
 }
 
 void freeChecks(SearchContext& search, const NullModel& null) {
-    Outcome<Variant> whole = withEffects(search.readings.full, null.variant.effects, null.variant.values);
+    Outcome<Variant> whole = onAllSamples(search.readings, null);
     if (!whole) return;
     const auto checked = [&] { return stateOf(*whole, null.fit, search.fit.simulation, Progress(), Detail::Errors); };
     const Outcome<ModelState> told = checked();
