@@ -6,9 +6,6 @@
 
 namespace analogon {
 
-/// The names of variables, with their units.
-using NamedUnits = std::vector<std::pair<std::string, std::string>>;
-
 /// The quantities of the model that a law at a place may depend on, of which there are series: none that moves as the
 /// place's own (`own`), and no angle of a shaft that turns on and on, for nothing depends on how often it has turned.
 /// Temperatures as differences to `origin` [K], NaN: to their own first value.

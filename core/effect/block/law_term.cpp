@@ -176,8 +176,8 @@ double originOf(const Eigen::VectorXd& values) {
     return scale * std::round(values[0] / scale);
 }
 
-std::vector<std::pair<std::string, std::string>> quantitiesOf(const System& system) {
-    std::vector<std::pair<std::string, std::string>> names;
+NamedUnits quantitiesOf(const System& system) {
+    NamedUnits names;
     const auto add = [&](const std::vector<SignalInfo>& signals) {
         for (const SignalInfo& s : signals)
             if (std::none_of(names.begin(), names.end(), [&](const auto& n) { return n.first == s.name; }))

@@ -58,8 +58,11 @@ using Series = std::map<std::string, std::vector<Eigen::VectorXd>>;
 Series movingSeries(const NullModel& null, const PreparedTask& held, const std::vector<std::string>& names,
                     const SimulationOptions& simulation);
 
+/// The names of variables, with their units.
+using NamedUnits = std::vector<std::pair<std::string, std::string>>;
+
 /// Inputs, outputs and states of a model with their units: what a law may contain beside the place's own quantities.
-std::vector<std::pair<std::string, std::string>> quantitiesOf(const System& system);
+NamedUnits quantitiesOf(const System& system);
 
 /// A quantity of these courses.
 LawQuantity quantityOf(std::string name, std::string variable, std::string shown, const std::string& unit,

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/range.hpp"
+#include "core/effect/model/sampling.hpp"
 #include "core/effect/model/white_noise.hpp"
 #include "core/effect/thresholds.hpp"
 
@@ -88,9 +89,7 @@ std::vector<InputEdge> inputEdges(const EstimationTask& task) {
         }
     }
     std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.size > b.size; });
-    double samples = 1;
-    for (const Recording& r : task.recordings)
-        if (r.role == Role::Fit) samples += static_cast<double>(r.time.size());
+    const double samples = 1 + static_cast<double>(fittedSamples(task));
     const auto most = std::clamp(static_cast<std::size_t>(mostSamples / samples), fewestEdges, mostEdges);
     std::vector<InputEdge> edges;
     for (std::size_t i = 0; i < std::min(found.size(), most); ++i) edges.push_back(found[i].edge);

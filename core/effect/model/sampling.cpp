@@ -15,4 +15,11 @@ double samplingInterval(const EstimationTask& task) {
     return steps.empty() ? 0 : median(std::move(steps));
 }
 
+std::size_t fittedSamples(const EstimationTask& task) {
+    std::size_t samples = 0;
+    for (const Recording& r : task.recordings)
+        if (r.role == Role::Fit) samples += r.time.size();
+    return samples;
+}
+
 }  // namespace analogon

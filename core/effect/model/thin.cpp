@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/effect/model/sampling.hpp"
 #include "core/fit/held_input.hpp"
 
 namespace analogon {
@@ -61,13 +62,6 @@ void keepFirst(Recording& recording, Eigen::Index samples) {
     for (SpareChannel& s : recording.spares) s.values.resize(count);
 }
 
-long fittedSamples(const EstimationTask& task) {
-    long samples = 0;
-    for (const Recording& r : task.recordings)
-        if (r.role == Role::Fit) samples += static_cast<long>(r.time.size());
-    return samples;
-}
-
 }  // namespace
 
 EstimationTask thinned(const EstimationTask& task, const Thinning& thinning, long mostSamples) {
@@ -75,7 +69,7 @@ EstimationTask thinned(const EstimationTask& task, const Thinning& thinning, lon
     if (thinning.isWhole()) return shorter;
     for (Recording& r : shorter.recordings.edit())
         if (r.role == Role::Fit && thinning.factor > 1) thin(r, thinning.factor);
-    const long samples = fittedSamples(shorter);
+    const auto samples = static_cast<long>(fittedSamples(shorter));
     if (!thinning.isFirstPart || samples <= mostSamples) return shorter;
     for (Recording& r : shorter.recordings.edit())
         if (r.role == Role::Fit)
@@ -85,7 +79,7 @@ EstimationTask thinned(const EstimationTask& task, const Thinning& thinning, lon
 }
 
 Thinning thinningFor(const EstimationTask& task, long mostSamples) {
-    const auto factor = static_cast<int>((fittedSamples(task) + mostSamples - 1) / mostSamples);
+    const auto factor = static_cast<int>((static_cast<long>(fittedSamples(task)) + mostSamples - 1) / mostSamples);
     return {factor < 2 ? 1 : factor | 1, false};
 }
 

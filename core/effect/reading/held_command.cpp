@@ -181,9 +181,7 @@ bool anyLooksHeld(const EstimationTask& task) {
 }
 
 std::vector<std::string> inputsToAsk(const EstimationTask& task) {
-    std::size_t samples = 0;
-    for (const Recording& r : task.recordings) samples += r.role == Role::Fit ? r.time.size() : 0;
-    if (samples > mostSamples) return {};
+    if (fittedSamples(task) > mostSamples) return {};
     std::vector<std::string> inputs = inputsOnLines(task);
     if (inputs.size() > mostInputs) inputs.resize(mostInputs);
     return inputs;
