@@ -226,6 +226,7 @@ std::optional<Value> Executor::emptyValue(const syntax::Name& type, const Librar
     }
     const LibraryClass* found = depth < deepestType ? work_.lookup(type, lexical) : nullptr;
     if (!found) {
+        work_.lacksClass = true;
         work_.messages.error(phrase("the class '{}' is not known in '{}'", type.text(),
                                     lexical ? lexical->qualifiedName : std::string()),
                              type.span);

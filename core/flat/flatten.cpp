@@ -1,8 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <string_view>
-
 #include "core/base/guard.hpp"
 #include "core/flat/balance.hpp"
 #include "core/flat/binder.hpp"
@@ -59,11 +56,8 @@ Outcome<FlatModel> flattened(const Library& library, std::string_view className,
     run(work, *definition);
     if (work.messages.hasErrors()) {
         Diagnostics all = work.messages.diagnostics();
-        const auto isOfAnUnknownClass = [](const Diagnostic& d) {
-            return std::string_view(d.message.pattern()).find("is not known") != std::string_view::npos;
-        };
-        if (std::none_of(all.begin(), all.end(), isOfAnUnknownClass)) return all;
-        // that it is not may be for a file that cannot be read
+        if (!work.lacksClass) return all;
+        // that it is not known may be for a file that cannot be read
         const Diagnostics faults = library.lazyFaults();
         all.insert(all.end(), faults.begin(), faults.end());
         return all;

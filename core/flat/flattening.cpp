@@ -121,6 +121,7 @@ void Flattening::reportUnknownClass(const syntax::Name& name, const LibraryClass
     if (isOfMissingLibrary(name, from)) return;
     const std::string text = name.text();
     if (tellRefused(messages, text, name.span)) return;
+    lacksClass = true;
     messages.error(from ? phrase("the class '{}' is not known in '{}'", text, from->qualifiedName)
                         : phrase("the class '{}' is not known", text),
                    name.span, didYouMean(text, library.names()));

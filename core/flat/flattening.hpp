@@ -52,6 +52,7 @@ struct Flattening {
     std::vector<ExternalTable> tables;    // the external objects
     std::set<std::string> free;           // parameters that stay themselves in the ordinates of tables
     std::set<std::string> instanceNames;  // that were asked for by getInstanceName()
+    bool lacksClass{};                    // one was named that is not known
 
     /// Library lookup from a class outward, remembered.
     const LibraryClass* lookup(const syntax::Name& name, const LibraryClass* from);
