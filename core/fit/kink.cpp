@@ -3,33 +3,10 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <nlopt.hpp>
 
 namespace analogon {
 namespace {
-
-struct Corner {
-    double cost{};
-    Eigen::VectorXd z;
-
-    bool operator<(const Corner& other) const { return cost < other.cost; }
-};
-
-/// The coordinates of a fit around its minimum, in which every parameter may move freely within its bounds.
-class Surroundings {
-public:
-    Surroundings(Misfit& misfit, const Coordinates& coordinates) : misfit_(misfit), coordinates_(coordinates) {}
-
-    Corner at(const Eigen::VectorXd& z) const {
-        Eigen::VectorXd inside = z;
-        for (int i = 0; i < coordinates_.size(); ++i)
-            inside[i] = std::clamp(z[i], coordinates_.lower(i), coordinates_.upper(i));
-        return {misfit_.cost(coordinates_.values(inside)), inside};
-    }
-
-private:
-    Misfit& misfit_;
-    const Coordinates& coordinates_;
-};
 
 /// Standard errors along the axes of their ellipsoid: columns R^-1 s, with slopes = Q R and the scatter s of a
 /// residual.
@@ -40,23 +17,47 @@ Eigen::MatrixXd axesOf(const Eigen::MatrixXd& slopes, double scatter) {
     return scatter * R.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(K, K));
 }
 
-/// One step of the method.
-void turn(std::vector<Corner>& simplex, const Surroundings& around) {
-    std::sort(simplex.begin(), simplex.end());
-    const std::size_t last = simplex.size() - 1;
-    Eigen::VectorXd middle = Eigen::VectorXd::Zero(simplex[0].z.size());
-    for (std::size_t i = 0; i < last; ++i) middle += simplex[i].z / static_cast<double>(last);
-    const auto along = [&](double by) { return around.at(middle + by * (simplex[last].z - middle)); };
-    Corner next = along(-1);
-    if (next < simplex[0])
-        next = std::min(next, along(-2));
-    else if (!(next < simplex[last - 1]))
-        next = along(0.5);
-    if (next < simplex[last]) {
-        simplex[last] = std::move(next);
-        return;
+/// The misfit about a minimum, so many standard errors along each axis, within the bounds.
+struct Surroundings {
+    Misfit& misfit;
+    const Coordinates& coordinates;
+    const Eigen::MatrixXd& axes;
+    nlopt::opt* optimiser{};
+
+    static double cost(const std::vector<double>& errors, std::vector<double>&, void* self) {
+        constexpr double failed = 1e100;  // worse than any that can be simulated, and a number the simplex can sort
+        auto& around = *static_cast<Surroundings*>(self);
+        if (around.misfit.isCancelled()) {
+            around.optimiser->force_stop();
+            return failed;
+        }
+        Eigen::VectorXd z =
+            around.axes * Eigen::Map<const Eigen::VectorXd>(errors.data(), static_cast<Eigen::Index>(errors.size()));
+        for (int i = 0; i < around.coordinates.size(); ++i)
+            z[i] = std::clamp(z[i], around.coordinates.lower(i), around.coordinates.upper(i));
+        const double value = around.misfit.cost(around.coordinates.values(z));
+        return std::isfinite(value) ? std::min(value, failed) : failed;
     }
-    for (std::size_t i = 1; i <= last; ++i) simplex[i] = around.at(0.5 * (simplex[0].z + simplex[i].z));
+};
+
+/// Whether the simplex, begun one standard error wide, ended at a least value within so many simulations.
+bool searchAround(Surroundings around, int simulations) {
+    constexpr double close = 1e-8;  // of the cost: corners that differ by less lie at the least value
+    nlopt::opt optimiser(nlopt::LN_NELDERMEAD, static_cast<unsigned>(around.coordinates.size()));
+    around.optimiser = &optimiser;
+    optimiser.set_min_objective(Surroundings::cost, &around);
+    optimiser.set_initial_step(1.0);
+    optimiser.set_ftol_rel(close);
+    optimiser.set_maxeval(simulations);
+    std::vector<double> errors(static_cast<std::size_t>(around.coordinates.size()), 0.0);
+    double cost{};
+    try {
+        return optimiser.optimize(errors, cost) != nlopt::MAXEVAL_REACHED;
+    } catch (const nlopt::roundoff_limited&) {
+        return true;  // at the least value, to the last digit
+    } catch (const std::exception&) {
+        return false;
+    }
 }
 
 }  // namespace
@@ -70,7 +71,6 @@ bool mayHaveKinks(const FitProblem& problem) {
 
 Minimum pastKink(const FitProblem& problem, const Minimum& from, Misfit& misfit, const Coordinates& coordinates) {
     constexpr int simulationsEach = 60;  // for each parameter: what it takes from one standard error
-    constexpr double close = 1e-8;       // of the cost: corners that differ by less lie at the least value
     const auto freedom = problem.residualCount() - coordinates.size();
     Coordinates here = coordinates;
     here.moveOrigin(misfit.hasBest() ? misfit.best() : from.values);
@@ -80,23 +80,15 @@ Minimum pastKink(const FitProblem& problem, const Minimum& from, Misfit& misfit,
     const double scatter = std::sqrt(2 * known.cost() / static_cast<double>(freedom));
     const Eigen::MatrixXd axes = axesOf(known.jacobian * here.slopes(values).asDiagonal(), scatter);
     if (!axes.allFinite()) return from;
-    const Surroundings around(misfit, here);
-    std::vector<Corner> simplex{{known.cost(), Eigen::VectorXd::Zero(here.size())}};
-    for (Eigen::Index i = 0; i < axes.cols(); ++i) simplex.push_back(around.at(axes.col(i)));
-    const int most = misfit.simulations() + simulationsEach * here.size();
+    const bool isDone = searchAround({misfit, here, axes}, simulationsEach * here.size());
     Minimum minimum = from;
-    const auto isClose = [&] {
-        const auto [least, greatest] = std::minmax_element(simplex.begin(), simplex.end());
-        return greatest->cost - least->cost <= close * least->cost;
-    };
-    while (!isClose() && misfit.simulations() < most && !misfit.isCancelled()) turn(simplex, around);
-    const Corner& best = *std::min_element(simplex.begin(), simplex.end());
     minimum.values = misfit.best();
     minimum.cost = misfit.bestCost();
     minimum.iterations = from.iterations + 1;
-    if (isClose() && from.isAtKink) minimum.status = FitStatus::Converged;
+    if (isDone && from.isAtKink) minimum.status = FitStatus::Converged;
+    here.moveOrigin(minimum.values);
     for (int i = 0; i < here.size(); ++i)
-        minimum.atBound[static_cast<std::size_t>(i)] = best.z[i] <= here.lower(i) || best.z[i] >= here.upper(i);
+        minimum.atBound[static_cast<std::size_t>(i)] = here.lower(i) >= 0 || here.upper(i) <= 0;
     return minimum;
 }
 
