@@ -13,8 +13,8 @@ namespace analogon {
 
 namespace {
 
-constexpr double threshold = 3.841458820694124;  // 95 % of chi-square with one degree of freedom
-constexpr int mostPoints = 40;                   // of one side
+constexpr double threshold = profileThreshold;
+constexpr int mostPoints = 40;  // of one side
 
 /// The problem without one of its parameters, which is held at a value.
 FitProblem held(const FitProblem& problem, int parameter, double value, const Eigen::VectorXd& others, double scatter) {

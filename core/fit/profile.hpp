@@ -4,6 +4,10 @@
 
 namespace analogon {
 
+/// By how much twice the logarithm of the likelihood falls to the ends of the interval: the 95 % quantile of chi-square
+/// with one degree of freedom.
+inline constexpr double profileThreshold = 3.841458820694124;
+
 /// The profile of the likelihood of one parameter: it is held at values away from its estimate, all others are fitted
 /// anew, and the interval ends where twice the logarithm of the likelihood has fallen by the 95 % quantile of
 /// chi-square with one degree of freedom (Venzon & Moolgavkar 1988). Unlike a standard error it shows how the data

@@ -8,6 +8,7 @@
 
 #include "core/base/number_text.hpp"
 #include "core/base/visible.hpp"
+#include "core/fit/profile.hpp"
 
 namespace analogon {
 
@@ -236,7 +237,7 @@ std::string svgPlot(const SignalPlot& plot) {
 }
 
 std::string svgProfile(const ProfilePlot& plot) {
-    constexpr double width = 300, top = 16, base = 116, left = 8, height = 150, threshold = 3.84,
+    constexpr double width = 300, top = 16, base = 116, left = 8, height = 150, threshold = profileThreshold,
                      most = 1.3 * threshold;
     Range range;
     for (const double value : plot.values) range.include(value);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fit/profile.hpp"
 #include "core/study/confidence.hpp"
 #include "ui/document/document.hpp"
 #include "ui/signals/figure_chart.hpp"
@@ -19,8 +20,6 @@
 namespace analogon::ui {
 
 namespace {
-
-constexpr double threshold = 3.841;  // 95 % quantile of chi-square with one degree of freedom
 
 Outcome<ConfidenceInterval> profileOf(const RunResult& result, const std::string& parameter, const Progress& progress) {
     const Outcome<EstimationTask> task = estimationTask(result.completed, UnusedColumns::Leave);
@@ -50,11 +49,7 @@ ProfileDialog::ProfileDialog(Document& document, QWidget* parent)
     parameter_->setAccessibleName(tr("Parameter"));
     outcome_->setWordWrap(true);
     style::makeCaption(outcome_);
-    progress_->setTextVisible(false);
-    QSizePolicy keeping = progress_->sizePolicy();
-    keeping.setRetainSizeWhenHidden(true);
-    progress_->setSizePolicy(keeping);
-    progress_->setMaximumHeight(2 * style::unit);
+    style::makeQuiet(progress_);
     progress_->setRange(0, 0);  // how many fits it takes is not known before
     run_->setDefault(true);
     auto* bottom = new QHBoxLayout;
@@ -83,10 +78,13 @@ ProfileDialog::ProfileDialog(Document& document, QWidget* parent)
     follow();
 }
 
-const FitEstimate* ProfileDialog::estimate() const {
+std::span<const FitEstimate> ProfileDialog::estimates() const {
     const RunResult* result = document_.resultKind() == RunKind::Simulate ? nullptr : document_.result();
-    if (!result) return nullptr;
-    const auto& all = result->finding.final.parameters;
+    return result ? std::span<const FitEstimate>(result->finding.final.parameters) : std::span<const FitEstimate>();
+}
+
+const FitEstimate* ProfileDialog::estimate() const {
+    const std::span<const FitEstimate> all = estimates();
     const std::string name = parameter_->currentText().toStdString();
     const auto found = std::find_if(all.begin(), all.end(), [&](const FitEstimate& e) { return e.name == name; });
     return found == all.end() ? nullptr : &*found;
@@ -96,10 +94,9 @@ void ProfileDialog::fillParameters() {
     const QString chosen = parameter_->currentText();
     const QSignalBlocker quiet(parameter_);
     parameter_->clear();
-    if (const RunResult* result = document_.resultKind() == RunKind::Simulate ? nullptr : document_.result())
-        for (const FitEstimate& e : result->finding.final.parameters)
-            if (const QString name = QString::fromStdString(e.name); parameter_->findText(name) < 0)
-                parameter_->addItem(name);
+    for (const FitEstimate& e : estimates())
+        if (const QString name = QString::fromStdString(e.name); parameter_->findText(name) < 0)
+            parameter_->addItem(name);
     parameter_->setCurrentIndex(std::max(0, parameter_->findText(chosen)));
     showOutcome({});
 }
@@ -153,10 +150,10 @@ QString ProfileDialog::wordsOf(const ConfidenceInterval& interval) const {
         : interval.isOpenAbove ? tr("95 % interval of %1: from %2; the recordings set no upper limit up to %3.")
                                : tr("95 % interval of %1: from %2 to %3.");
     const FitEstimate* of = estimate();
-    const QString unit =
-        !of || of->unit.empty() || of->unit == "1" ? QString() : " " + QString::fromStdString(of->unit);
-    return text.arg(parameter_->currentText(), style::numberText(interval.lower, 4) + unit,
-                    style::numberText(interval.upper, 4) + unit);
+    const auto end = [&](double value) {
+        return style::numberWithUnit(style::numberText(value, 4), of ? QString::fromStdString(of->unit) : QString());
+    };
+    return text.arg(parameter_->currentText(), end(interval.lower), end(interval.upper));
 }
 
 void ProfileDialog::draw() {
@@ -171,12 +168,11 @@ void ProfileDialog::draw() {
     for (const auto& [value, rise] : points) curve << QPointF(value, rise);
     const QColor muted = style::mutedText(palette());
     const double left = points.front().first, right = points.back().first;
-    figure.xLabel = QString::fromStdString(of->name) +
-                    (of->unit.empty() || of->unit == "1" ? QString() : " [" + QString::fromStdString(of->unit) + "]");
+    figure.xLabel = style::nameWithUnit(QString::fromStdString(of->name), QString::fromStdString(of->unit));
     figure.yLabel = tr("Fall of twice the log-likelihood");
     figure.curves = {{tr("Profile"), style::accent(palette()), curve},
-                     {tr("95 %"), muted, QPolygonF{QPointF(left, threshold), QPointF(right, threshold)}},
-                     {tr("Estimate"), muted, QPolygonF{QPointF(of->value, 0), QPointF(of->value, threshold)}}};
+                     {tr("95 %"), muted, QPolygonF{QPointF(left, profileThreshold), QPointF(right, profileThreshold)}},
+                     {tr("Estimate"), muted, QPolygonF{QPointF(of->value, 0), QPointF(of->value, profileThreshold)}}};
     chart_->show(std::move(figure));
 }
 

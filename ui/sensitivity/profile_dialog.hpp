@@ -2,6 +2,7 @@
 
 #include <QDialog>
 #include <optional>
+#include <span>
 
 #include "core/fit/fit.hpp"
 #include "ui/job/job.hpp"
@@ -39,7 +40,9 @@ private:
     void draw();
     QString wordsOf(const ConfidenceInterval& interval) const;
     void follow();
-    /// Of the shown result; null: it is not fitted there.
+    /// Of the shown result; none of a simulation.
+    std::span<const FitEstimate> estimates() const;
+    /// That of the chosen parameter; null: it is not fitted there.
     const FitEstimate* estimate() const;
 
     Document& document_;

@@ -39,10 +39,6 @@ double edgeBefore(const std::vector<double>& values, std::size_t i, bool isLogar
     return isOuter ? one - half : one + half;
 }
 
-QString valueWithUnit(const QString& number, const std::string& unit) {
-    return unit.empty() || unit == "1" ? number : number + " " + QString::fromStdString(unit);
-}
-
 double placeOn(const QAbstractAxis& axis, double value) {
     return qobject_cast<const LogAxis*>(&axis) ? LogAxis::at(value) : value;
 }
@@ -251,7 +247,8 @@ QStringList SweepChart::wordsOf(const SweepPoint& point) const {
     QStringList values;
     for (std::size_t i = 0; i < sweep_->axes.size(); ++i)
         values << QString::fromStdString(sweep_->axes[i].parameter) + " = " +
-                      valueWithUnit(style::numberText(valuesAt(point)[i], 4), sweep_->units[i]);
+                      style::numberWithUnit(style::numberText(valuesAt(point)[i], 4),
+                                            QString::fromStdString(sweep_->units[i]));
     return values;
 }
 

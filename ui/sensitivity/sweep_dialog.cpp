@@ -43,11 +43,7 @@ SweepDialog::SweepDialog(Document& document, QWidget* parent)
     outcome_->setWordWrap(true);
     style::makeCaption(outcome_);
     outcome_->setText(tr("The error of the fitted recordings at each value; nothing is fitted, and the study stays."));
-    progress_->setTextVisible(false);
-    QSizePolicy keeping = progress_->sizePolicy();
-    keeping.setRetainSizeWhenHidden(true);
-    progress_->setSizePolicy(keeping);
-    progress_->setMaximumHeight(2 * style::unit);
+    style::makeQuiet(progress_);
     run_->setDefault(true);
     auto* bottom = new QHBoxLayout;
     bottom->addWidget(progress_, 1);
@@ -161,14 +157,14 @@ void SweepDialog::start() {
 }
 
 void SweepDialog::showOutcome(Outcome<ParameterSweep> found) {
-    sweep_.reset();
+    sweep_ = found ? std::optional(std::move(*found)) : std::nullopt;
+    chart_->setSweep(sweep_);
     if (!found) {
         QStringList why;
         for (const Diagnostic& said : found.diagnostics())
             if (said.severity == Severity::Error) why << inWords(said.message);
         outcome_->setText(why.join('\n'));
     } else {
-        sweep_ = std::move(*found);
         const auto [row, column] = sweep_->least();
         QStringList said;
         if (sweep_->done < sweep_->errorPercent.size())
@@ -176,22 +172,14 @@ void SweepDialog::showOutcome(Outcome<ParameterSweep> found) {
         if (row < 0) {
             said << tr("The model cannot be simulated at any of these values.");
         } else {
-            QStringList at;
-            for (std::size_t i = 0; i < sweep_->axes.size(); ++i) {
-                const SweepAxis& own = sweep_->axes[i];
-                const auto index = static_cast<std::size_t>(i == 0 ? column : row);
-                const QString unit = QString::fromStdString(sweep_->units[i]);
-                at << QString::fromStdString(own.parameter) + " = " + style::numberText(own.values[index], 4) +
-                          (unit.isEmpty() || unit == "1" ? QString() : " " + unit);
-            }
             said << tr("Least error %1 at %2.")
-                        .arg(style::percentText(sweep_->errorPercent(row, column)), at.join(QStringLiteral(", ")));
+                        .arg(style::percentText(sweep_->errorPercent(row, column)),
+                             chart_->wordsOf({row, column}).join(QStringLiteral(", ")));
             if (sweep_->axes.size() > 1) said << tr("The stronger the colour, the smaller the error.");
             said << tr("A click sets what is there.");
         }
         outcome_->setText(said.join(' '));
     }
-    chart_->setSweep(sweep_);
     showPresent();
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/signal/formula.hpp"
 #include "core/signal/spectrum.hpp"
+#include "ui/style/number.hpp"
 #include "ui/words/words.hpp"
 
 namespace analogon::ui {
@@ -15,10 +16,6 @@ namespace {
 constexpr int longestSegment = 8192;  // finer frequencies than a screen has columns say nothing
 
 QString tr(const char* text) { return QCoreApplication::translate("Figure", text); }
-
-QString withUnit(const QString& name, const QString& unit) {
-    return unit.isEmpty() || unit == "1" ? name : name + " [" + unit + "]";
-}
 
 /// The samples of a trace within the part.
 struct Part {
@@ -71,8 +68,9 @@ QPolygonF thinned(std::span<const double> x, std::span<const double> y) {
 Figure against(const std::vector<Part>& parts) {
     const Part& x = parts.front();
     Figure figure;
-    figure.xLabel = withUnit(x.line->reference.name, x.line->data->unit);
-    if (parts.size() == 2) figure.yLabel = withUnit(parts[1].line->reference.name, parts[1].line->data->unit);
+    figure.xLabel = style::nameWithUnit(x.line->reference.name, x.line->data->unit);
+    if (parts.size() == 2)
+        figure.yLabel = style::nameWithUnit(parts[1].line->reference.name, parts[1].line->data->unit);
     for (std::size_t i = 1; i < parts.size(); ++i) {
         const std::vector<double> y = valuesAt(parts[i].time, parts[i].values, x.time);
         figure.curves.push_back({parts[i].line->reference.name, parts[i].line->colour, thinned(x.values, y)});
@@ -115,7 +113,7 @@ Figure coherences(const std::vector<Part>& parts) {
 
 Figure histograms(const std::vector<Part>& parts) {
     Figure figure;
-    figure.xLabel = parts.size() == 1 ? withUnit(parts[0].line->reference.name, parts[0].line->data->unit)
+    figure.xLabel = parts.size() == 1 ? style::nameWithUnit(parts[0].line->reference.name, parts[0].line->data->unit)
                                       : tr("Value, each in its own unit");
     figure.yLabel = tr("Share of the samples");
     for (const Part& part : parts) {

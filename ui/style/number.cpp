@@ -31,6 +31,14 @@ QString percentText(double value) {
     return fixedText(value, std::abs(value) < 9.995 ? 2 : 1) + QStringLiteral(" %");
 }
 
+QString numberWithUnit(const QString& number, const QString& unit) {
+    return unit.isEmpty() || unit == "1" ? number : number + " " + unit;
+}
+
+QString nameWithUnit(const QString& name, const QString& unit) {
+    return unit.isEmpty() || unit == "1" ? name : name + " [" + unit + "]";
+}
+
 QString countText(qulonglong count) {
     QString text = QString::number(count);
     for (qsizetype at = text.size() - 3; at > 0 && text.size() > 4; at -= 3) text.insert(at, QChar(0x202F));

@@ -22,6 +22,10 @@ QString numberText(double value, int digits = 5);
 QString fixedText(double value, int decimals);
 /// "8.61 %", "12.3 %"; a dash for what is no number.
 QString percentText(double value);
+/// "3 Ohm"; the number alone where there is no unit.
+QString numberWithUnit(const QString& number, const QString& unit);
+/// "R [Ohm]", likewise.
+QString nameWithUnit(const QString& name, const QString& unit);
 /// Groups of three with a narrow space, which every language reads the same: "12 345".
 QString countText(qulonglong count);
 

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPixmap>
+#include <QProgressBar>
 #include <QProxyStyle>
 #include <QStyleFactory>
 #include <QStyleOption>
@@ -618,6 +619,14 @@ void makeCaption(QWidget* label) {
     font.setPointSizeF(font.pointSizeF() * 0.9);
     label->setFont(font);
     label->setForegroundRole(QPalette::PlaceholderText);
+}
+
+void makeQuiet(QProgressBar* bar) {
+    bar->setTextVisible(false);
+    QSizePolicy keeping = bar->sizePolicy();
+    keeping.setRetainSizeWhenHidden(true);
+    bar->setSizePolicy(keeping);
+    bar->setMaximumHeight(2 * unit);
 }
 
 void makeHeading(QWidget* label, double scale) {

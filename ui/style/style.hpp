@@ -7,6 +7,7 @@
 
 class QAbstractItemView;
 class QApplication;
+class QProgressBar;
 class QTreeView;
 class QWidget;
 
@@ -56,6 +57,8 @@ void wrapColumn(QTreeView* view, int column);
 
 /// Secondary text: smaller and muted.
 void makeCaption(QWidget* label);
+/// A low bar without a figure, which keeps its room while it is hidden.
+void makeQuiet(QProgressBar* bar);
 /// A heading of a panel or a card.
 void makeHeading(QWidget* label, double scale = 1.15);
 
