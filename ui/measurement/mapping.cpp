@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include "core/base/unit.hpp"
@@ -77,8 +78,7 @@ int scoreOf(const SignalFact& signal, bool isInput, const Column& column) {
     if (signal.name == column.name) score += 40;
     score += 4 * commonWords(signal.name, column.name) + commonWords(signal.description, column.name);
     if (score <= 0) return -1;
-    // of two that fit alike, the one that drives
-    return 4 * score - (isInput && isSupply(column) ? 2 : 0) - (isInput && isStill(column) ? 1 : 0);
+    return 2 * score - (isInput && isSupply(column) ? 1 : 0);  // of two that fit alike, the one that drives
 }
 
 std::set<std::string> usedColumns(const StudyExperiment& experiment) {
@@ -88,10 +88,11 @@ std::set<std::string> usedColumns(const StudyExperiment& experiment) {
     return used;
 }
 
-/// The columns that fit a signal best, by name; more than one: they fit alike.
-std::vector<std::string> bestColumns(const SignalFact& signal, bool isInput, const Table& table,
-                                     const std::set<std::string>& used) {
-    std::vector<std::string> best;
+/// The columns that fit a signal best, of one name the first; more than one: they fit alike. Of those that would drive,
+/// the ones that move.
+std::vector<const Column*> bestColumns(const SignalFact& signal, bool isInput, const Table& table,
+                                       const std::set<std::string>& used) {
+    std::vector<const Column*> best;
     int most = 0;
     for (const Column& column : table.columns) {
         if (used.contains(column.name)) continue;
@@ -99,8 +100,16 @@ std::vector<std::string> bestColumns(const SignalFact& signal, bool isInput, con
         if (score <= 0 || score < most) continue;
         if (score > most) best.clear();
         most = score;
-        if (std::find(best.begin(), best.end(), column.name) == best.end()) best.push_back(column.name);
+        best.push_back(&column);
     }
+    if (isInput && best.size() > 1) {
+        std::vector<const Column*> moving;
+        std::copy_if(best.begin(), best.end(), std::back_inserter(moving),
+                     [](const Column* c) { return !isStill(*c); });
+        if (!moving.empty()) best = std::move(moving);
+    }
+    std::set<std::string> names;
+    std::erase_if(best, [&](const Column* c) { return !names.insert(c->name).second; });
     return best;
 }
 
@@ -108,8 +117,9 @@ std::vector<std::string> bestColumns(const SignalFact& signal, bool isInput, con
 
 std::vector<std::string> rivalColumns(const StudyExperiment& experiment, const SignalFact& signal, bool isInput,
                                       const Table& table) {
-    std::vector<std::string> best = bestColumns(signal, isInput, table, usedColumns(experiment));
-    return best.size() > 1 ? best : std::vector<std::string>();
+    std::vector<std::string> names;
+    for (const Column* c : bestColumns(signal, isInput, table, usedColumns(experiment))) names.push_back(c->name);
+    return names.size() > 1 ? names : std::vector<std::string>();
 }
 
 std::string proposeTime(const Table& table) {
@@ -143,14 +153,15 @@ void proposeMapping(StudyExperiment& experiment, const Table& table, const Model
         auto& mapped = pair.isInput ? experiment.inputs : experiment.outputs;
         const std::string& name = pair.signal->name;
         if (mapped.contains(name) || used.contains(pair.column->name) || inDoubt.contains(name)) continue;
-        if (bestColumns(*pair.signal, pair.isInput, table, used).size() > 1) {
+        const std::vector<const Column*> best = bestColumns(*pair.signal, pair.isInput, table, used);
+        if (best.size() > 1) {
             inDoubt.insert(name);  // it is asked, not guessed
             continue;
         }
         ChannelMapping& mapping = mapped[name];
-        mapping.column = pair.column->name;
-        if (pair.column->isOnOtherRaster) mapping.group = pair.column->groupName();
-        used.insert(pair.column->name);
+        mapping.column = best.front()->name;
+        if (best.front()->isOnOtherRaster) mapping.group = best.front()->groupName();
+        used.insert(best.front()->name);
     }
 }
 
