@@ -99,6 +99,10 @@ public:
             plannedAt_ = minimum.values;
         }
         isRough_ = false;
+        if (!goesOn && options_.integrationShare > 0.0 && !isWithinScatter_ && !isDirect(options_.method)) {
+            isWithinScatter_ = true;
+            goesOn = misfit_.planWithin(options_.integrationShare, minimum.values);
+        }
         if (!goesOn && !isDirect(options_.method) && misfit_.slopesMislead(minimum.values)) {
             misfit_.takeDifferences();
             goesOn = true;
@@ -123,7 +127,7 @@ private:
 
     Misfit& misfit_;
     const FitOptions& options_;
-    bool isRough_{};
+    bool isRough_{}, isWithinScatter_{};
     Eigen::VectorXd plannedAt_;
     int lossRounds_{}, priorRounds_{}, planRounds_{};
 };

@@ -42,6 +42,9 @@ struct FitOptions {
     /// Where the misfit has kinks the fit goes on without slopes (core/fit/kink.hpp). Off where fits are compared with
     /// each other: all of them then end where their slopes do.
     bool goesOnAtKinks{};
+    /// > 0: least squares takes its last steps with an integration error of at most this share of the scatter of the
+    /// residuals, where the tolerances ask for less; the misfit is then its minimum but for a share of the square.
+    double integrationShare{};
     /// Fills FitEstimate::robustError (keepsOptimum must hold).
     bool findsRobustErrors{};
     SimulationOptions simulation;

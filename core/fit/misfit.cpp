@@ -32,6 +32,22 @@ Softened soften(RobustLoss loss, double r) {
     return {r, 1.0};
 }
 
+/// The range of a fitted output as it was measured, in residuals; of the outputs of a recording the largest.
+double largestRange(const FitExperiment& experiment) {
+    double largest = 0.0;
+    for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o) {
+        if (!experiment.isFitted(o)) continue;
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const double y : experiment.measured.row(o)) {
+            if (std::isnan(y)) continue;
+            low = std::min(low, y);
+            high = std::max(high, y);
+        }
+        largest = std::max(largest, (high - low) * experiment.weights[o]);
+    }
+    return largest;
+}
+
 }  // namespace
 
 Misfit::Misfit(const FitProblem& problem, const FitOptions& options, const Progress& progress)
@@ -336,6 +352,22 @@ void Misfit::adopt(std::vector<GridPlan> plans, double looseness) {
     if (options_.simulation.engine == Engine::Adaptive) return;
     plannedWith_ = looseness;
     take(std::move(plans));
+}
+
+bool Misfit::planWithin(double share, const Eigen::VectorXd& values) {
+    constexpr double finest = 1e-3;  // times the tolerance: recordings that a model made leave nothing to compare with
+    const auto freedom = problem_.residualCount() - static_cast<Eigen::Index>(problem_.parameters.size());
+    if (options_.simulation.engine == Engine::Adaptive || freedom <= 0) return false;
+    const ReducedMisfit& here = reduced(values);
+    if (!here.ok) return false;
+    const double scatter = std::sqrt(2.0 * here.cost() / static_cast<double>(freedom));
+    double looseness = 1.0;
+    for (std::size_t e = 0; e < plans_.size(); ++e) {
+        const double allowed = share * scatter / largestRange(problem_.experiments[e]);
+        if (plans_[e].errorEstimate > allowed)
+            looseness = std::min(looseness, allowed / (plannedError * options_.simulation.relativeTolerance));
+    }
+    return looseness < 1.0 && plan(values, std::max(looseness, finest));
 }
 
 bool Misfit::refinePlan(const Eigen::VectorXd& values) {

@@ -37,6 +37,9 @@ public:
     void adopt(std::vector<GridPlan> plans, double looseness);
     /// As plan(), but only where these parameters need finer steps than those in force.
     bool refinePlan(const Eigen::VectorXd& values);
+    /// Steps whose error is at most this share of the scatter of the residuals here; true when those in force were
+    /// coarser.
+    bool planWithin(double share, const Eigen::VectorXd& values);
     /// The next point is likely to be the optimum: its residuals and slopes are kept, where they are asked for, so that
     /// nobody has to simulate it again.
     void expectLast(bool isExpected) { isLast_ = isExpected; }

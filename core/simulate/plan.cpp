@@ -33,7 +33,7 @@ public:
           inputs_(inputs),
           options_(options),
           progress_(progress),
-          tolerance_(10.0 * options.relativeTolerance),
+          tolerance_(plannedError * options.relativeTolerance),
           sampleCount_(static_cast<int>(inputs.time.size())),
           ladder_(options_, tolerance_) {
         limited_ = options;

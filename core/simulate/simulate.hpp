@@ -48,6 +48,9 @@ struct InputTerms {
     std::vector<double> begin, middle;  // of each step, those of the rates alone in its middle
 };
 
+/// Error of an output that a plan may make, in parts of its range, times SimulationOptions::relativeTolerance.
+inline constexpr double plannedError = 10.0;
+
 /// What a grid run was found to need; chosen once per experiment, then kept so that a misfit stays smooth.
 struct GridPlan {
     GridMethod method{GridMethod::RungeKutta4};

@@ -196,6 +196,7 @@ Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const P
     if (Diagnostics faults = checkProfiled(*task, options.profiled); !faults.empty()) return faults;
     FitOptions alone = options.discover.fit;
     alone.goesOnAtKinks = true;
+    alone.integrationShare = 1e-3;  // a misfit of an integration that errs by this is its least one within 1e-6
     Outcome<ModelState> state = fitModel(*task, alone, progress);
     if (!state) return state.diagnostics();
     if (Diagnostics faults = failures(*state, true); !faults.empty()) return faults;
