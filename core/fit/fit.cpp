@@ -77,7 +77,10 @@ public:
 
     /// Whether another round is due from where the last one ended.
     bool goOn(const Minimum& minimum) {
-        if (minimum.status == FitStatus::Cancelled || minimum.status == FitStatus::IterationLimit) return false;
+        if (minimum.status == FitStatus::Cancelled) return false;
+        // what is flat to the tolerance of coarse steps may fall on with fine ones
+        const bool isFlatForRough = isRough_ && options_.goesOnInValleys && !minimum.isAtKink;
+        if (minimum.status == FitStatus::IterationLimit && !isFlatForRough) return false;
         bool goesOn = isRough_;
         if (options_.loss != RobustLoss::None && lossRounds_++ < 5) {
             const double before = misfit_.lossScale();

@@ -42,6 +42,9 @@ struct FitOptions {
     /// Where the misfit has kinks the fit goes on without slopes (core/fit/kink.hpp). Off where fits are compared with
     /// each other: all of them then end where their slopes do.
     bool goesOnAtKinks{};
+    /// A flat valley in which the coarse steps of the beginning end is followed with fine ones. Off where fits are
+    /// compared with each other: that takes as many simulations as all the rest.
+    bool goesOnInValleys{};
     /// > 0: least squares takes its last steps with an integration error of at most this share of the scatter of the
     /// residuals, where the tolerances ask for less; the misfit is then its minimum but for a share of the square.
     double integrationShare{};

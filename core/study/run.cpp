@@ -195,7 +195,7 @@ Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const P
     if (!task) return task.diagnostics();
     if (Diagnostics faults = checkProfiled(*task, options.profiled); !faults.empty()) return faults;
     FitOptions alone = options.discover.fit;
-    alone.goesOnAtKinks = true;
+    alone.goesOnAtKinks = alone.goesOnInValleys = true;
     alone.integrationShare = 1e-3;  // a misfit of an integration that errs by this is its least one within 1e-6
     Outcome<ModelState> state = fitModel(*task, alone, progress);
     if (!state) return state.diagnostics();

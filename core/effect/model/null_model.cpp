@@ -144,7 +144,10 @@ Outcome<Done> fitNull(NullModel& null, NoiseLevel level, const FitOptions& optio
             return error(phrase("the study has no experiment with the role \"fit\""), {},
                          phrase("give at least one experiment that role"));
         FitOptions now = options;
-        now.findsRobustErrors = pass + 1 == passes && options.loss == RobustLoss::None;
+        const bool isLast = pass + 1 == passes;  // those before only tell of the noise
+        now.findsRobustErrors = isLast && options.loss == RobustLoss::None;
+        now.goesOnInValleys = isLast && options.goesOnInValleys;
+        now.integrationShare = isLast ? options.integrationShare : 0;
         if (Diagnostics faults = validate(prepared->problem); hasError(faults)) return faults;
         FitResult found = fit(prepared->problem, now, progress);
         const bool isWhole = found.optimum.ok;

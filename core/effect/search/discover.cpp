@@ -58,7 +58,9 @@ Outcome<ModelState> fitModel(const EstimationTask& task, const FitOptions& optio
         for (Text& sentence : wrongStarts(*found, role)) found->remarks.push_back(std::move(sentence));
     if (progress.stopRequested()) return found;
     FitOptions compared = options;
-    compared.goesOnAtKinks = false;  // readings are told apart by how much they leave, each fitted alike
+    // readings are told apart by how much they leave, each fitted alike
+    compared.goesOnAtKinks = compared.goesOnInValleys = false;
+    compared.integrationShare = 0;
     if (const auto reading = heldReading(null, compared, progress))
         for (Text& remark : heldRemarks(task, *reading, errorPercentOf(*found, Role::Fit), false))
             found->remarks.push_back(std::move(remark));

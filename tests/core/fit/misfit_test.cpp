@@ -69,5 +69,50 @@ TEST(PlanWithin, ALoudRecordingKeepsItsSteps) {
     EXPECT_GT(misfit.plans().front().work(), before.front().work());
 }
 
+/// Two parameters of which a curve, b = a^2, is known far better than the place on it, beside a spring that wants fine
+/// steps.
+FitProblem bentValley() {
+    const SystemPtr system = test::compileText(R"(
+model Valley
+  input Real f;
+  output Real y;
+  output Real z;
+  parameter Real a = 1;
+  parameter Real b = 1;
+  Real x(start = 0, fixed = true);
+  Real v(start = 0, fixed = true);
+equation
+  der(x) = v;
+  der(v) = f - 0.8*v - 900*x - 4e5*x^3;
+  y = x;
+  z = if f > 10 then 0.07*a else 25*(b - a^2);
+end Valley;
+)",
+                                               "Valley", {"a", "b"});
+    FitProblem problem;
+    problem.experiments.push_back(
+        test::simulated("pushes", system, test::steps(2000, 0.02, 20.0, 3.0), {1.0, 1.0}, 1.0, 4));
+    problem.experiments[0].weights[0] = 1e-3;  // the spring is only looked at
+    problem.parameters = {test::parameter("a", 0.0), test::parameter("b", 0.0)};
+    return problem;
+}
+
+TEST(Fit, FollowsABentValleyToItsEndWhereItIsAskedTo) {
+    const FitProblem problem = bentValley();
+    const FitExperiment& experiment = problem.experiments[0];
+    double sum = 0, count = 0;  // a is the mean of what was measured of it: b takes up whatever the curve asks for
+    for (Eigen::Index k = 0; k < experiment.measured.cols(); ++k)
+        if (experiment.inputs.values(0, k) > 10) sum += experiment.measured(1, k) / 0.07, ++count;
+    const double best = sum / count, deviation = 1 / (0.07 * std::sqrt(count));
+    FitOptions options;
+    const FitResult left = fit(problem, options);
+    EXPECT_EQ(left.status, FitStatus::IterationLimit) << "in a flat valley";
+    EXPECT_GT(std::abs(left.values[0] - best), 0.3 * deviation);
+    options.goesOnInValleys = true;
+    const FitResult followed = fit(problem, options);
+    EXPECT_EQ(followed.status, FitStatus::Converged) << followed.message;
+    EXPECT_NEAR(followed.values[0], best, 0.01 * deviation);
+}
+
 }  // namespace
 }  // namespace analogon
