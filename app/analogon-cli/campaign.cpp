@@ -57,6 +57,12 @@ public:
         sink_({"units", text, c.units == 0 ? 1 : static_cast<double>(ended) / static_cast<double>(c.units)});
     }
     void clear() { bar_.clear(); }
+    /// What is told beside: a line, or a JSON object like the rest.
+    void note(const Text& text) {
+        if (kind_ == ProgressKind::Json) return bar_.note(text);
+        clear();
+        stream_ << visible(text.english()) << std::endl;
+    }
 
 private:
     void showJson(const CampaignProgress& progress, std::size_t ended) {
@@ -109,25 +115,24 @@ RunOptions unitOptions() {
     return run;
 }
 
-void tellFailures(const Campaign& campaign, const CampaignState& state) {
+void tellFailures(const Campaign& campaign, const CampaignState& state, CampaignView& view) {
     constexpr std::size_t most = 10;
     std::size_t told = 0;
     for (std::size_t i = 0; i < campaign.units.size(); ++i) {
         if (state.of(i) != UnitState::Failed) continue;
         if (++told > most) continue;
-        std::cerr << "failed: " << visibleName(campaign.units[i].name) << ": " << visible(state.record(i).fault)
-                  << std::endl;
+        view.note(phrase("failed: {}: {}", visibleName(campaign.units[i].name), state.record(i).fault));
     }
-    if (told > most) std::cerr << fmt::format("and {} more units; results.csv names them", told - most) << std::endl;
+    if (told > most) view.note(phrase("and {} more units; results.csv names them", told - most));
 }
 
 /// What is there when the run has ended, for whatever reason.
-int collect(const Campaign& campaign, const CampaignState& state, bool isInterrupted) {
+int collect(const Campaign& campaign, const CampaignState& state, bool isInterrupted, CampaignView& view) {
     if (Outcome<Done> table = writeResultsTable(campaign, state); !table) return faulty(table.diagnostics());
     const CampaignSummary summary = summaryOf(campaign, state);
     if (Outcome<Done> page = writeCampaignPage(campaign, state, summary); !page) return faulty(page.diagnostics());
     const CampaignCounts counts = state.counts();
-    tellFailures(campaign, state);
+    tellFailures(campaign, state, view);
     for (const ParameterSummary& p : summary.parameters)
         for (const OddUnit& odd : p.odd)
             std::cout << fmt::format("odd: {}: {} = {} ({:+.1f} robust standard deviations)\n",
@@ -137,28 +142,26 @@ int collect(const Campaign& campaign, const CampaignState& state, bool isInterru
                              counts.failed, counts.waiting, visible((state.out() / "campaign.html").string()))
               << std::endl;
     if (isInterrupted) {
-        std::cerr << "interrupted; the same command goes on where it was" << std::endl;
+        view.note(phrase("interrupted; the same command goes on where it was"));
         return interrupted;
     }
     return counts.done == 0 && counts.failed > 0 ? numericsFailed : done;
 }
 
-void tellKept(const CampaignState& state) {
-    if (state.kept() == 1) std::cerr << "1 unit is done already" << std::endl;
-    if (state.kept() > 1) std::cerr << fmt::format("{} units are done already", state.kept()) << std::endl;
+void tellKept(const CampaignState& state, CampaignView& view) {
+    if (state.kept() == 1) view.note(phrase("1 unit is done already"));
+    if (state.kept() > 1) view.note(phrase("{} units are done already", state.kept()));
     if (state.changed() == 1)
-        std::cerr << "1 unit has changed since it was worked on (study, row or recordings) and is worked on again"
-                  << std::endl;
+        view.note(
+            phrase("1 unit has changed since it was worked on (study, row or recordings) and is worked on again"));
     else if (state.changed() > 1)
-        std::cerr << fmt::format(
-                         "{} units have changed since they were worked on (study, row or recordings) and are "
-                         "worked on again",
-                         state.changed())
-                  << std::endl;
+        view.note(
+            phrase("{} units have changed since they were worked on (study, row or recordings) and are worked on again",
+                   state.changed()));
 }
 
-int onThisMachine(const OpenedCampaign& read, CampaignState& state, const Options& options, Interrupt& interrupt) {
-    CampaignView view(options.progress, std::cerr, isatty(STDERR_FILENO) != 0);
+int onThisMachine(const OpenedCampaign& read, CampaignState& state, const Options& options, CampaignView& view,
+                  Interrupt& interrupt) {
     CampaignRunOptions run;
     run.worker = processOf(Command::CampaignWorker, read.campaign, state.out());
     run.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
@@ -168,30 +171,26 @@ int onThisMachine(const OpenedCampaign& read, CampaignState& state, const Option
     interrupt.tell();
     view.clear();
     if (!worked) return faulty(worked.diagnostics());
-    return collect(read.campaign, state, interrupt.wasRaised());
+    return collect(read.campaign, state, interrupt.wasRaised(), view);
 }
 
 int onTheCluster(const OpenedCampaign& read, CampaignState& state, const Slurm& slurm, const Options& options,
-                 Interrupt& interrupt) {
-    CampaignView view(options.progress, std::cerr, isatty(STDERR_FILENO) != 0);
+                 CampaignView& view, Interrupt& interrupt) {
     SlurmRunOptions run;
     run.task = processOf(Command::CampaignTask, read.campaign, state.out());
     run.options = options.sbatch;
     run.stop = interrupt.token();
     run.report = [&](const CampaignProgress& progress) { view.show(progress); };
-    run.note = [&](const Text& text) {
-        view.clear();
-        std::cerr << visible(text.english()) << std::endl;
-    };
+    run.note = [&](const Text& text) { view.note(text); };
     const Outcome<SlurmEnd> end = runOnSlurm(read.campaign, read.study, state, slurm, run);
     interrupt.tell();
     view.clear();
     if (!end) return faulty(end.diagnostics());
+    const int status = collect(read.campaign, state, interrupt.wasRaised() || end->isCancelled, view);
     if (end->isStillQueued)
-        std::cerr << fmt::format("Slurm job {} works on; \"scancel {}\" ends it", end->job.id, end->job.id)
-                  << std::endl;
-    if (end->isCancelled) std::cerr << fmt::format("Slurm job {} was cancelled", end->job.id) << std::endl;
-    return collect(read.campaign, state, interrupt.wasRaised() || end->isCancelled);
+        view.note(phrase("Slurm job {} works on; \"scancel {}\" ends it", end->job.id, end->job.id));
+    if (end->isCancelled) view.note(phrase("Slurm job {} was cancelled", end->job.id));
+    return status;
 }
 
 }  // namespace
@@ -209,9 +208,10 @@ int campaign(const Options& options, Interrupt& interrupt) {
     }
     Outcome<CampaignState> state = CampaignState::take(read->campaign, read->study, options.out, options.retry);
     if (!state) return faulty(state.diagnostics());
-    tellKept(*state);
-    return slurm ? onTheCluster(*read, *state, *slurm, options, interrupt)
-                 : onThisMachine(*read, *state, options, interrupt);
+    CampaignView view(options.progress, std::cerr, isatty(STDERR_FILENO) != 0);
+    tellKept(*state, view);
+    return slurm ? onTheCluster(*read, *state, *slurm, options, view, interrupt)
+                 : onThisMachine(*read, *state, options, view, interrupt);
 }
 
 int campaignWorker(const Options& options) {

@@ -53,6 +53,24 @@ const std::map<std::string, FitMethod>& fitMethods() {
 
 namespace {
 
+/// CLI11's own ranges name their upper end, which has 309 digits.
+CLI::Validator isNumber(bool (*fits)(double number, double least), double least, const char* how) {
+    const auto why = [=](const std::string& word) {
+        double number = 0;
+        if (CLI::detail::lexical_cast(word, number) && fits(number, least)) return std::string();
+        return fmt::format("a number {} {} is expected, not \"{}\"", how, least, visibleName(word));
+    };
+    return CLI::Validator(why, "");
+}
+
+CLI::Validator isAbove(double least) {
+    return isNumber([](double number, double limit) { return number > limit; }, least, "above");
+}
+
+CLI::Validator isAtLeast(double least) {
+    return isNumber([](double number, double limit) { return number >= limit; }, least, "of at least");
+}
+
 /// The names of a list, separated by commas, each as it stands.
 std::vector<std::string> namesIn(const std::string& list, const std::string& option) {
     std::vector<std::string> names;
@@ -99,7 +117,7 @@ void addRun(CLI::App& app, Options& options) {
         ->transform(CLI::CheckedTransformer(kinds, CLI::ignore_case).description("bar|json|none"))
         ->option_text("KIND");
     app.add_option("--threads", options.threads, "How many threads to use (default: all)")
-        ->check(CLI::NonNegativeNumber.description(""))
+        ->check(isAtLeast(0))
         ->type_name("N");
     addCommon(app, options);
 }
@@ -119,10 +137,10 @@ void addClassRun(CLI::App& app, Options& options) {
     });
     app.add_option("--stop", options.stop, "With --class: the end of the simulation, in seconds")->type_name("T");
     app.add_option("--interval", options.interval, "With --class: between the rows of traces.csv, in seconds")
-        ->check(CLI::PositiveNumber.description(""))
+        ->check(isAbove(0))
         ->type_name("DT");
     app.add_option("--tolerance", options.tolerance, "With --class: relative tolerance of the integration")
-        ->check(CLI::PositiveNumber.description(""))
+        ->check(isAbove(0))
         ->type_name("TOL");
     addNames(app, "--variables", options.variables,
              "With --class: only variables that fit, for example *.phi,inertia1.w")
@@ -148,7 +166,7 @@ void addCampaign(CLI::App& app, Options& options) {
         ->required()
         ->type_name("DIR");
     app.add_option("--jobs", options.jobs, "How many units at once (default: as many as the machine has processors)")
-        ->check(CLI::PositiveNumber.description(""))
+        ->check(isAbove(0))
         ->type_name("N");
     app.add_flag("--slurm", options.slurm,
                  "Work on the cluster, as the tasks of a Slurm array job; options for sbatch may follow, as one word "
@@ -221,12 +239,12 @@ void describe(CLI::App& app, Options& options) {
     discover
         ->add_option("--most-work", options.mostWork,
                      "End with the best so far after so many million steps of its trials: the same on any machine")
-        ->check(CLI::NonNegativeNumber.description(""))
+        ->check(isAtLeast(0))
         ->type_name("N");
     discover
         ->add_option("--patience", options.patience,
                      "Of a long search, how many times as much it may simulate before it says what it has; 0: no limit")
-        ->check(CLI::NonNegativeNumber.description(""))
+        ->check(isAtLeast(0))
         ->capture_default_str()
         ->type_name("N");
     discover->add_option("--trace", options.traceFile, "Receives every decision of the search, one JSON object a line")

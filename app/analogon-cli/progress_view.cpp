@@ -67,12 +67,12 @@ void ProgressView::clear() {
     hasBar_ = false;
 }
 
-void ProgressView::note(const std::string& remark) {
+void ProgressView::note(const Text& remark) {
     clear();
     if (kind_ != ProgressKind::Json)
-        stream_ << "note: " << visible(remark) << std::endl;
+        stream_ << "note: " << visible(remark.english()) << std::endl;
     else
-        stream_ << line({{"note", remark}}) << std::endl;
+        stream_ << noteJson(remark) << std::endl;
 }
 
 std::string progressJson(const Progress::Report& report) {
@@ -80,6 +80,16 @@ std::string progressJson(const Progress::Report& report) {
     if (!report.detail.empty()) json["detail"] = report.detail.english();
     if (report.fraction >= 0) json["fraction"] = report.fraction;
     if (report.error >= 0) json["error_percent"] = report.error;
+    return line(json);
+}
+
+std::string noteJson(const Text& remark) {
+    nlohmann::ordered_json json{{"note", remark.english()}};
+    if (!remark.pattern().empty()) {
+        json["pattern"] = remark.pattern();
+        json["arguments"] = nlohmann::ordered_json::array();
+        for (const Text& argument : remark.arguments()) json["arguments"].push_back(argument.english());
+    }
     return line(json);
 }
 

@@ -22,7 +22,7 @@ public:
     /// Wipes the bar, so that other text can follow.
     void clear();
     /// What people should know of the result: a line, or a JSON object like the rest.
-    void note(const std::string& remark);
+    void note(const Text& remark);
 
 private:
     void show(const Progress::Report& report);
@@ -38,5 +38,9 @@ private:
 
 /// One report as a JSON object, without the line end.
 std::string progressJson(const Progress::Report& report);
+
+/// A remark as a JSON object, without the line end: with its pattern and arguments where it has them, so that a window
+/// can say it in its own language.
+std::string noteJson(const Text& remark);
 
 }  // namespace analogon::cli

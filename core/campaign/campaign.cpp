@@ -43,11 +43,13 @@ public:
         for (const Span& twice : places_.duplicates())
             faults_.push_back(error(phrase("{} is given twice", shortened(twice.text(), limits::quotedBytes)), twice,
                                     phrase("Keep one of them.")));
-        known(json_, "", {"format", "study", "command", "units", "columns"});
         const std::string format = text(json_, "", "format");
-        if (!format.empty() && format != campaignFormat)
-            fault("/format", phrase("the format \"{}\" is not known", format),
-                  phrase("This program reads \"{}\".", campaignFormat));
+        if (!format.empty() && format != campaignFormat) {  // what else there is to say is of no help
+            fault("/format", phrase("this is no campaign: its format is \"{}\"", format),
+                  phrase("A campaign has the format \"{}\", and names a study and a table of units.", campaignFormat));
+            return false;
+        }
+        known(json_, "", {"format", "study", "command", "units", "columns"});
         const fs::path folder = campaign.file.parent_path();
         campaign.study = (folder / text(json_, "", "study")).lexically_normal();
         campaign.table = (folder / text(json_, "", "units")).lexically_normal();
@@ -248,6 +250,10 @@ Diagnostics first(Diagnostics faults) {
 const char* name(CampaignCommand command) { return command == CampaignCommand::Fit ? "fit" : "discover"; }
 
 Outcome<Campaign> readCampaign(const fs::path& file) {
+    std::error_code code;
+    if (fs::is_directory(file, code))
+        return fileError(phrase("this is a directory; name a file"), file.string(), 0, 0,
+                         phrase("A campaign is a file, campaign.json, that names a study and a table of units."));
     Outcome<std::string> text = readRegularFile(file, largestCampaign);
     if (!text) return text.diagnostics();
     const auto source = std::make_shared<const Source>(file.string(), std::move(*text));
@@ -265,7 +271,6 @@ Outcome<Campaign> readCampaign(const fs::path& file) {
     Columns columns;
     CampaignReader reader(json, places);
     if (!reader.read(campaign, columns)) return first(std::move(reader).faults());
-    std::error_code code;
     if (!fs::exists(campaign.study, code))
         return error(phrase("there is no study \"{}\"", campaign.study.string()), places.value("/study"),
                      phrase("The path is relative to the campaign's folder."));

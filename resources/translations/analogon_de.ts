@@ -13336,6 +13336,58 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>der Slurm-Job {} eines früheren Laufs wird verfolgt</translation>
     </message>
     <message>
+        <source>this is no campaign: its format is &quot;{}&quot;</source>
+        <translation>dies ist keine Kampagne: Ihr Format ist „{}“</translation>
+    </message>
+    <message>
+        <source>A campaign has the format &quot;{}&quot;, and names a study and a table of units.</source>
+        <translation>Eine Kampagne hat das Format „{}“ und nennt eine Studie und eine Tabelle der Exemplare.</translation>
+    </message>
+    <message>
+        <source>A campaign is a file, campaign.json, that names a study and a table of units.</source>
+        <translation>Eine Kampagne ist eine Datei, campaign.json, die eine Studie und eine Tabelle der Exemplare nennt.</translation>
+    </message>
+    <message>
+        <source>this is a directory; name a file</source>
+        <translation>dies ist ein Verzeichnis; eine Datei angeben</translation>
+    </message>
+    <message>
+        <source>failed: {}: {}</source>
+        <translation>fehlgeschlagen: {}: {}</translation>
+    </message>
+    <message>
+        <source>and {} more units; results.csv names them</source>
+        <translation>und {} weitere Exemplare; results.csv nennt sie</translation>
+    </message>
+    <message>
+        <source>interrupted; the same command goes on where it was</source>
+        <translation>unterbrochen; derselbe Befehl setzt fort, wo es war</translation>
+    </message>
+    <message>
+        <source>1 unit is done already</source>
+        <translation>1 Exemplar ist schon fertig</translation>
+    </message>
+    <message>
+        <source>{} units are done already</source>
+        <translation>{} Exemplare sind schon fertig</translation>
+    </message>
+    <message>
+        <source>1 unit has changed since it was worked on (study, row or recordings) and is worked on again</source>
+        <translation>1 Exemplar hat sich seit seiner Bearbeitung geändert (Studie, Zeile oder Aufzeichnungen) und wird neu bearbeitet</translation>
+    </message>
+    <message>
+        <source>{} units have changed since they were worked on (study, row or recordings) and are worked on again</source>
+        <translation>{} Exemplare haben sich seit ihrer Bearbeitung geändert (Studie, Zeile oder Aufzeichnungen) und werden neu bearbeitet</translation>
+    </message>
+    <message>
+        <source>Slurm job {} works on; &quot;scancel {}&quot; ends it</source>
+        <translation>der Slurm-Job {} arbeitet weiter; &quot;scancel {}&quot; beendet ihn</translation>
+    </message>
+    <message>
+        <source>Slurm job {} was cancelled</source>
+        <translation>der Slurm-Job {} wurde abgebrochen</translation>
+    </message>
+    <message>
         <source>Slurm job {}: {} units in {} tasks</source>
         <translation>Slurm-Job {}: {} Exemplare in {} Aufgaben</translation>
     </message>
@@ -15154,6 +15206,10 @@ Bitte den Namen prüfen.</translation>
     <message>
         <source>, %1 running</source>
         <translation>, %1 in Arbeit</translation>
+    </message>
+    <message>
+        <source>%1. Start goes on where it was.</source>
+        <translation>%1. „Starten“ setzt die Kampagne fort, wo sie war.</translation>
     </message>
     <message>
         <source>The campaign was stopped. Start goes on where it was.</source>

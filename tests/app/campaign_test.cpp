@@ -4,7 +4,9 @@
 #include <chrono>
 #include <cstdio>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <random>
+#include <sstream>
 #include <thread>
 
 #include "core/base/owned_directory.hpp"
@@ -48,6 +50,41 @@ TEST_F(CampaignCommandLine, WritesNothingWhereTheCampaignIsFaulty) {
     EXPECT_EQ(run("out"), 2);
     EXPECT_THAT(said_, HasSubstr("the study has no experiment \"stop\""));
     EXPECT_FALSE(fs::exists(at("out")));
+}
+
+TEST_F(CampaignCommandLine, TellsWhatACampaignIsWhereSomethingElseIsGiven) {
+    units(1);
+    for (const char* given : {"lag/study.json", "lag"}) {
+        Process process({"campaign", at(given).string(), "--out", at("out").string()}, folder_);
+        EXPECT_EQ(process.wait(), 2) << given;
+        EXPECT_THAT(process.err(), HasSubstr("names a study and a table of units")) << given;
+        EXPECT_THAT(process.err(), Not(HasSubstr("columns"))) << "one message, not one for each member";
+    }
+    EXPECT_EQ(run("out", 0), 2);
+    EXPECT_THAT(said_, HasSubstr("--jobs: a number above 0 is expected, not \"0\""));
+}
+
+/// Units that fail, and those of a run before, are told in lines that a program can read, too.
+TEST_F(CampaignCommandLine, TellsItsProgressAsOneObjectALine) {
+    units(3);
+    fs::remove(at("U1.csv"));
+    std::string notes;
+    for (int times = 0; times < 2; ++times) {
+        std::vector<std::string> words = arguments("out");
+        words.insert(words.end(), {"--progress", "json"});
+        Process process(words, folder_);
+        ASSERT_EQ(process.wait(), 0) << process.err();
+        std::istringstream lines(process.err());
+        for (std::string line; std::getline(lines, line);) {
+            const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
+            ASSERT_TRUE(json.is_object()) << line;
+            if (!json.contains("note")) continue;
+            const std::string pattern = json.at("pattern");
+            notes += json.at("note").get<std::string>() + " | " + pattern + " | " + json.at("arguments").dump() + "\n";
+        }
+    }
+    EXPECT_THAT(notes, HasSubstr("failed: U1: "));
+    EXPECT_THAT(notes, HasSubstr("2 units are done already | {} units are done already | [\"2\"]"));
 }
 
 TEST_F(CampaignCommandLine, TouchesNoDirectoryThatIsNotACampaigns) {

@@ -1,5 +1,6 @@
 #include "ui/measurement/mapping.hpp"
 
+#include <QPushButton>
 #include <QTreeWidget>
 
 #include "tests/ui/panels_fixture.hpp"

@@ -223,8 +223,17 @@ TEST_F(GermanWords, NameFaultsOfSyntax) {
         QString::fromUtf8("erwartet: der Name einer Komponente vom Typ „Real“, gefunden: die Zeichenkette \"x\""));
 }
 
-/// Every sentence that the core makes by phrase(), or by what the parser expects, has a German one, with a place for
-/// each of its arguments.
+/// The sources of the core, and of what the program that works on a campaign tells the window.
+QStringList sourcesWithSentences() {
+    QStringList sources{ANALOGON_ROOT "/app/analogon-cli/campaign.cpp"};
+    for (QDirIterator files(ANALOGON_ROOT "/core", {"*.cpp", "*.hpp"}, QDir::Files, QDirIterator::Subdirectories);
+         files.hasNext();)
+        sources += files.next();
+    return sources;
+}
+
+/// Every sentence that is made by phrase(), or by what the parser expects, has a German one, with a place for each of
+/// its arguments.
 TEST_F(GermanWords, AreThereForEverySentenceOfTheCore) {
     static const QRegularExpression call(
         R"re((?:\bphrase\(|\bexpect(?:Identifier|Semicolon)\(|\bexpect\((?:[^,()"]+|"[^"]*"),))re"
@@ -232,9 +241,8 @@ TEST_F(GermanWords, AreThereForEverySentenceOfTheCore) {
     static const QRegularExpression literal(R"re("((?:\\.|[^"\\])*)")re"), field(R"re(\{[^{}]*\})re");
     const auto fields = [](QString text) { return text.replace("{{", "").replace("}}", "").count(field); };
     int count = 0;
-    for (QDirIterator files(ANALOGON_ROOT "/core", {"*.cpp", "*.hpp"}, QDir::Files, QDirIterator::Subdirectories);
-         files.hasNext();) {
-        QFile file(files.next());
+    for (const QString& name : sourcesWithSentences()) {
+        QFile file(name);
         ASSERT_TRUE(file.open(QIODevice::ReadOnly));
         const QString source = QString::fromUtf8(file.readAll());
         for (auto calls = call.globalMatch(source); calls.hasNext(); ++count) {

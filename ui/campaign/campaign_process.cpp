@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QStandardPaths>
@@ -30,6 +31,16 @@ std::optional<CampaignProgress> progressIn(const QByteArray& line) {
     progress.counts.waiting = c.units - std::min(c.units, c.running + c.done + c.failed);
     progress.secondsLeft = json.value("seconds_left").toDouble(-1);
     return progress;
+}
+
+std::optional<Text> noteIn(const QByteArray& line) {
+    const QJsonObject json = QJsonDocument::fromJson(line).object();
+    if (!json.contains("note")) return std::nullopt;
+    std::vector<Text> arguments;
+    for (const QJsonValue& argument : json.value("arguments").toArray())
+        arguments.emplace_back(argument.toString().toStdString());
+    return Text(json.value("pattern").toString().toStdString(), std::move(arguments),
+                json.value("note").toString().toStdString());
 }
 
 }  // namespace
@@ -91,6 +102,8 @@ void CampaignProcess::read() {
         pending_.remove(0, end + 1);
         if (const std::optional<CampaignProgress> progress = progressIn(line))
             Q_EMIT progressed(*progress);
+        else if (const std::optional<Text> note = noteIn(line))
+            Q_EMIT noted(*note);
         else
             said_ += QString::fromUtf8(line) + '\n';
     }

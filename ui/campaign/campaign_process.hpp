@@ -38,7 +38,9 @@ public:
 
 Q_SIGNALS:
     void progressed(const analogon::CampaignProgress& progress);
-    /// `said`: what the program said of it, faults and remarks, without its progress.
+    /// What the program tells while it works: that a job waits, say, and why.
+    void noted(const analogon::Text& note);
+    /// `said`: the faults that the program tells of it, without its progress and its notes.
     void ended(int status, const QString& said);
 
 private:

@@ -53,6 +53,8 @@ void beginAt(Study& study, const UnitRecord& record) {
     }
 }
 
+QDateTime stateWritten(const QString& out) { return QFileInfo(out + "/campaign.json").lastModified(); }
+
 }  // namespace
 
 void CampaignWindow::askForFile() {
@@ -142,6 +144,7 @@ void CampaignWindow::look() {
     if (!opened_.campaign || looker_.isBusy()) return;
     if (lookedAt_ != out_->text()) look_.reset();
     lookedAt_ = out_->text();
+    written_ = stateWritten(lookedAt_);
     looker_.start<Outcome<CampaignLook>>(
         tr("Looking"),
         [out = lookedAt_.toStdString(), before = look_](const Progress&) {
@@ -153,6 +156,11 @@ void CampaignWindow::look() {
             else
                 tell(faultText(found.diagnostics()), true);
         });
+}
+
+/// What another program does there changes the state.
+void CampaignWindow::watch() {
+    if (process_.isRunning() || (lookedAt_ == out_->text() && written_ != stateWritten(lookedAt_))) look();
 }
 
 void CampaignWindow::showLook(const CampaignLook& found) {
@@ -185,16 +193,17 @@ void CampaignWindow::startOrStop() {
         return updateState();
     }
     tell({}, false);
-    watch_.start();
+    note_.clear();
     process_.start({file_->text(), out_->text(), jobs_->value(), retry_->isChecked(), cluster_->isChecked(),
                     clusterOptions_->text().trimmed()});
     updateState();
 }
 
 void CampaignWindow::end(int status, const QString& said) {
-    watch_.stop();
     const bool isFault = status != 0 && status != interrupted;
-    if (status == interrupted)
+    if (status == interrupted && cluster_->isChecked() && !note_.isEmpty())  // the job works on, or was cancelled
+        tell(tr("%1. Start goes on where it was.").arg(note_), false);
+    else if (status == interrupted)
         tell(tr("The campaign was stopped. Start goes on where it was."), false);
     else if (status == allFailed)
         tell(tr("All units failed; their rows say why."), true);
@@ -206,6 +215,12 @@ void CampaignWindow::end(int status, const QString& said) {
              isFault);
     updateState();
     lookAgain();
+}
+
+void CampaignWindow::showNote(const Text& note) {
+    note_ = inWords(note);
+    if (!note_.isEmpty()) note_[0] = note_[0].toUpper();
+    tell(note_, false);
 }
 
 void CampaignWindow::tell(const QString& text, bool isFault) {

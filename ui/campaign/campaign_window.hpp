@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QDateTime>
 #include <QDialog>
 #include <QTimer>
 #include <memory>
@@ -78,10 +79,12 @@ private:
     void showOpened(Opened opened);
     void lookAgain();
     void look();
+    void watch();
     void showLook(const CampaignLook& found);
     void showCounts(const CampaignProgress& progress);
     void startOrStop();
     void end(int status, const QString& said);
+    void showNote(const Text& note);
     void tell(const QString& text, bool isFault);
     void updateState();
     const CampaignUnit* chosen() const;
@@ -91,11 +94,13 @@ private:
 
     CampaignProcess process_;
     JobRunner reader_, looker_, opener_;
-    QTimer watch_;
+    QTimer timer_;
     QString asked_;  // the campaign that was opened last, also where it is faulty
+    QString note_;   // what the program told last
     Opened opened_;
     std::shared_ptr<const CampaignLook> look_;
     QString lookedAt_;    // the directory of that
+    QDateTime written_;   // its state, when it was looked at
     bool isLookStale_{};  // begun before what it is to show
     UnitsModel* model_;
     QSortFilterProxyModel* sorted_;

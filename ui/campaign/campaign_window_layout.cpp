@@ -22,7 +22,7 @@ namespace analogon::ui {
 
 namespace {
 
-constexpr int betweenLooks = 1000;  // [ms] while a campaign runs
+constexpr int betweenLooks = 1000;  // [ms]
 
 void setUp(QTableView* view) {
     view->setSortingEnabled(true);
@@ -98,9 +98,10 @@ CampaignWindow::CampaignWindow(QWidget* parent)
     layout->addWidget(told_);
     layout->addLayout(rowButtons());
     style::findBy(*this, [this] { return filter_; });
-    watch_.setInterval(betweenLooks);
-    connect(&watch_, &QTimer::timeout, this, &CampaignWindow::look);
+    timer_.start(betweenLooks);
+    connect(&timer_, &QTimer::timeout, this, &CampaignWindow::watch);
     connect(&process_, &CampaignProcess::progressed, this, &CampaignWindow::showCounts);
+    connect(&process_, &CampaignProcess::noted, this, &CampaignWindow::showNote);
     connect(&process_, &CampaignProcess::ended, this, &CampaignWindow::end);
     connect(&looker_, &JobRunner::finished, this, [this] {
         if (std::exchange(isLookStale_, false)) look();
