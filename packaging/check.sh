@@ -7,7 +7,8 @@
 #   packaging/check.sh coverage [STAGES]  lines that the tests of a stage of core reach, against tests/coverage.txt
 #   packaging/check.sh bench              twelve cases of the bench, against tests/bench/score.txt
 #   packaging/check.sh sanitize [TESTS]   tests under the address and undefined-behaviour, then the thread sanitizer
-#   packaging/check.sh campaign [UNITS]   1000 units of a water pump, killed ten times, here and on a Slurm of its own
+#   packaging/check.sh campaign [UNITS]   1000 units of a water pump, killed ten times, here and on a Slurm of its own;
+#                                         the tests of that Slurm
 #   packaging/check.sh nightly            full, sanitize, coverage, bench, campaign, and the soak with few repetitions
 # FOLDER: only sources below it, core/effect, say. TESTS: programs, "test_fit test_ui"; all of core and the window else.
 # CTEST_ARGS: further options of ctest ("-R ^Fit"); GTEST_FILTER: chooses tests of a sanitize run.
@@ -17,6 +18,7 @@ source packaging/install.sh
 
 export QT_QPA_PLATFORM=offscreen
 jobs=$(nproc)
+unity=(-DCMAKE_UNITY_BUILD=ON)  # several sources at once, as the gate builds them
 core_tests="test_base test_syntax test_signal test_library test_diagram test_flat test_structure test_eval test_simulate
     test_measure test_fit test_residual test_effect test_report test_study test_archive test_campaign test_export"
 
@@ -25,7 +27,7 @@ fast() {
     say "Layout"
     packaging/check-format.sh
     say "Building everything in build/release"
-    cmake --preset release
+    cmake --preset release "${unity[@]}"
     cmake --build --preset release
     say "Tests labelled unit"
     # shellcheck disable=SC2086  # options are words
@@ -73,21 +75,26 @@ tidy() {
         --extra-arg=-Wno-unknown-warning-option <<<"$files"
 }
 
+# Of the stages that have a floor; those without one are told.
 coverage() {
     local stages=${1:-$(sed -n 's/^\([a-z]\+\) .*/\1/p' tests/coverage.txt)} stage targets=()
     install_missing "${build_packages[@]}" gcovr
     for stage in $stages; do targets+=("test_$stage"); done
-    say "Coverage of $stages"
-    cmake --preset coverage >/dev/null
+    say "Coverage of" $stages
+    cmake --preset coverage "${unity[@]}" >/dev/null
     cmake --build --preset coverage --target "${targets[@]}"
     # shellcheck disable=SC2086  # stages are words
     python3 tests/coverage.py build/coverage tests/coverage.txt $stages
+    for stage in core/*/; do
+        stage=$(basename "$stage")
+        grep -q "^$stage " tests/coverage.txt || say "core/$stage has no floor in tests/coverage.txt yet"
+    done
 }
 
 bench() {
     install_missing "${build_packages[@]}"
     say "Twelve cases of the bench"
-    cmake --preset release >/dev/null
+    cmake --preset release "${unity[@]}" >/dev/null
     cmake --build --preset release --target analogon-cli
     tests/bench/run_bench.sh build/release/app/analogon-cli build/bench -n 12 -s 2026 -t 900 -j "$jobs"
     say "Against the stored score"
@@ -98,8 +105,8 @@ bench() {
 campaign() {
     local units=${1:-1000} run=(python3 tests/bench/thousand_units.py build/release/app/analogon-cli)
     install_missing "${build_packages[@]}"
-    cmake --preset release >/dev/null
-    cmake --build --preset release --target analogon-cli
+    cmake --preset release "${unity[@]}" >/dev/null
+    cmake --build --preset release --target analogon-cli test_app test_ui
     rm -rf build/campaign
     mkdir -p build/campaign
     say "A campaign of $units units, killed ten times"
@@ -108,9 +115,13 @@ campaign() {
     "${run[@]}" build/campaign/searches --units "$((units / 10))" --command discover
     say "The same on Slurm"
     MAX_ARRAY=201 tests/slurm/start.sh "${run[@]}" build/campaign/cluster --units "$units" --slurm || [ $? -eq 77 ]
+    say "Tests of the command line and of the window with that Slurm"
+    tests/slurm/start.sh build/release/tests/test_app --gtest_filter='CampaignOnSlurm.*' || [ $? -eq 77 ]
+    tests/slurm/start.sh build/release/tests/test_ui --gtest_filter='CampaignOnACluster.*' || [ $? -eq 77 ]
 }
 
-sanitize() {
+# In a shell of its own: what is set for the sanitizers is not for the parts that follow.
+sanitize() (
     local tests=${1:-$core_tests test_ui} preset program
     local failed=()
     install_missing "${build_packages[@]}"
@@ -119,7 +130,7 @@ sanitize() {
     export UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=detect_leaks=0 TSAN_OPTIONS=second_deadlock_stack=1
     for preset in asan tsan; do
         say "Building build/$preset: $tests"
-        cmake --preset "$preset" >/dev/null
+        cmake --preset "$preset" "${unity[@]}" >/dev/null
         # shellcheck disable=SC2086  # targets are words
         cmake --build --preset "$preset" --target $tests
         for program in $tests; do
@@ -128,7 +139,7 @@ sanitize() {
         done
     done
     [ ${#failed[@]} -eq 0 ] || { say "At fault: ${failed[*]}"; return 1; }
-}
+)
 
 case "${1:-}" in
     fast) fast ;;
@@ -139,6 +150,6 @@ case "${1:-}" in
     campaign) campaign "${2:-}" ;;
     sanitize) sanitize "${2:-}" ;;
     nightly) fast; full .; tidy; sanitize; coverage; bench; campaign; packaging/soak.sh --quick ;;
-    *) sed -n '2,13s/^# \{0,1\}//p' "$0"; exit 2 ;;
+    *) sed -n '2,14s/^# \{0,1\}//p' "$0"; exit 2 ;;
 esac
 say "check.sh $1 has found no fault"

@@ -14,9 +14,9 @@ seeds=${1:-20} events=${2:-50000} sequences=${3:-2000} kills=${4:-3000} interrup
 
 install_missing "${build_packages[@]}"
 say "Building with the sanitizers in build/asan, and plainly in build/release"
-cmake --preset asan
+cmake --preset asan -DCMAKE_UNITY_BUILD=ON
 cmake --build --preset asan --target test_ui test_study test_archive test_measure
-cmake --preset release
+cmake --preset release -DCMAKE_UNITY_BUILD=ON
 cmake --build --preset release --target test_ui test_archive test_study test_base test_app test_export
 
 export QT_QPA_PLATFORM=offscreen
