@@ -192,6 +192,74 @@ void addCampaignTask(CLI::App& app, Options& options) {
     app.add_option("--task", options.task)->required();
 }
 
+void addCheck(CLI::App& app, Options& options) {
+    static const std::map<std::string, PrintKind> prints{
+        {"flat", PrintKind::Flat}, {"structure", PrintKind::Structure}, {"program", PrintKind::Program}};
+    app.add_option("input", options.input, "A model file, or a study")->required()->type_name("MODEL.mo|STUDY");
+    app.add_option("--print", options.print, "Print a stage in full: flat, structure or program")
+        ->transform(CLI::CheckedTransformer(prints, CLI::ignore_case).description("flat|structure|program"))
+        ->option_text("STAGE");
+    app.add_option("--class", options.className, "The class to check (default: the last model of the file)")
+        ->type_name("NAME");
+    addCommon(app, options);
+}
+
+void addDiscover(CLI::App& app, Options& options) {
+    addRun(app, options);
+    addFit(app, options);
+    addNames(app, "--kinds", options.kinds, "Only these kinds of effects, separated by commas")->type_name("KIND,…");
+    app.add_option("--most-work", options.mostWork,
+                   "End with the best so far after so many million steps of its trials: the same on any machine")
+        ->check(isAtLeast(0))
+        ->type_name("N");
+    app.add_option("--patience", options.patience,
+                   "Of a long search, how many times as much it may simulate before it says what it has; 0: no limit")
+        ->check(isAtLeast(0))
+        ->capture_default_str()
+        ->type_name("N");
+    app.add_option("--trace", options.traceFile, "Receives every decision of the search, one JSON object a line")
+        ->type_name("FILE");
+}
+
+void addExport(CLI::App& app, Options& options) {
+    app.add_option("study", options.input, "The study: a directory, its study.json or an .analogon file")
+        ->required()
+        ->type_name("STUDY");
+    app.add_option("--modelica", options.modelicaFile, "Receives the model with every class it uses")
+        ->type_name("FILE");
+    app.add_option("--fmu", options.fmuFile,
+                   "Receives the model with its fitted values as an FMU (FMI 2.0, Co-Simulation and Model Exchange)")
+        ->type_name("FILE");
+    app.add_option("--csv", options.csvFile, "Receives measured and simulated traces")->type_name("FILE");
+    app.add_option("--mf4", options.mf4File, "Receives measured and simulated traces and residuals as ASAM MDF 4")
+        ->type_name("FILE");
+    app.add_option("--parameters", options.parameterFile,
+                   "Receives the parameters, by the ending of its name: .csv, .json, .ssv (SSP 1.0), .dcm (DCM 2.0) "
+                   "or .cdfx (ASAM CDF 2.0)")
+        ->type_name("FILE");
+    addCommon(app, options);
+}
+
+void addChannels(CLI::App& app, Options& options) {
+    app.add_option("file", options.input, "ASAM MDF, MATLAB, TDMS, XLSX or a text table")
+        ->required()
+        ->type_name("FILE");
+    app.add_flag("--json", options.asJson, "As JSON");
+    app.add_flag("--values", options.withValues, "Read the values: first, last, min, max, mean of each channel");
+}
+
+void addGenerate(CLI::App& app, Options& options) {
+    addNames(app, "--domains", options.domains, "For example electric-thermal,thermal-fluid")
+        ->required()
+        ->type_name("DOMAIN,…");
+    app.add_option("--data", options.data, "The measurement; of several the last one validates")
+        ->required()
+        ->type_name("FILE");
+    app.add_option("--out", options.out, "The study to write")->required()->type_name("STUDY");
+    app.add_option("--class", options.className, "Name of the model (default: Component)")->type_name("NAME");
+    addCommon(app, options);
+}
+
 /// Takes options for sbatch apart, as a shell would.
 void setSbatch(const std::string& line, Options& options) {
     std::optional<std::vector<std::string>> words = splitWords(line);
@@ -210,18 +278,7 @@ void describe(CLI::App& app, Options& options) {
         sub->callback([&options, which] { options.command = which; });
         return sub;
     };
-    static const std::map<std::string, PrintKind> prints{
-        {"flat", PrintKind::Flat}, {"structure", PrintKind::Structure}, {"program", PrintKind::Program}};
-
-    CLI::App* check = command(Command::Check, "Parse, flatten, analyse; print unknowns, states, balance");
-    check->add_option("input", options.input, "A model file, or a study")->required()->type_name("MODEL.mo|STUDY");
-    check->add_option("--print", options.print, "Print a stage in full: flat, structure or program")
-        ->transform(CLI::CheckedTransformer(prints, CLI::ignore_case).description("flat|structure|program"))
-        ->option_text("STAGE");
-    check->add_option("--class", options.className, "The class to check (default: the last model of the file)")
-        ->type_name("NAME");
-    addCommon(*check, options);
-
+    addCheck(*command(Command::Check, "Parse, flatten, analyse; print unknowns, states, balance"), options);
     CLI::App* simulate = command(Command::Simulate, "The model as it stands against every experiment");
     addRun(*simulate, options);
     addClassRun(*simulate, options);
@@ -231,58 +288,14 @@ void describe(CLI::App& app, Options& options) {
     addNames(*fit, "--profile", options.profiled,
              "Where the data limit these parameters (or all): 95 % intervals of the likelihood")
         ->type_name("NAME,…");
-    CLI::App* discover = command(Command::Discover, "Fit, find missing effects, add them, refit, report");
-    addRun(*discover, options);
-    addFit(*discover, options);
-    addNames(*discover, "--kinds", options.kinds, "Only these kinds of effects, separated by commas")
-        ->type_name("KIND,…");
-    discover
-        ->add_option("--most-work", options.mostWork,
-                     "End with the best so far after so many million steps of its trials: the same on any machine")
-        ->check(isAtLeast(0))
-        ->type_name("N");
-    discover
-        ->add_option("--patience", options.patience,
-                     "Of a long search, how many times as much it may simulate before it says what it has; 0: no limit")
-        ->check(isAtLeast(0))
-        ->capture_default_str()
-        ->type_name("N");
-    discover->add_option("--trace", options.traceFile, "Receives every decision of the search, one JSON object a line")
-        ->type_name("FILE");
-
+    addDiscover(*command(Command::Discover, "Fit, find missing effects, add them, refit, report"), options);
     addCampaign(*command(Command::Campaign, "The same fit or discovery for many units"), options);
     addCampaignWorker(*command(Command::CampaignWorker, ""), options);
     addCampaignTask(*command(Command::CampaignTask, ""), options);
-
-    CLI::App* exporting =
-        command(Command::Export, "The model as an FMU or as stand-alone Modelica, its traces, its parameters");
-    exporting->add_option("study", options.input, "The study: a directory, its study.json or an .analogon file")
-        ->required()
-        ->type_name("STUDY");
-    exporting->add_option("--modelica", options.modelicaFile, "Receives the model with every class it uses")
-        ->type_name("FILE");
-    exporting
-        ->add_option("--fmu", options.fmuFile,
-                     "Receives the model with its fitted values as an FMU (FMI 2.0, Co-Simulation and Model Exchange)")
-        ->type_name("FILE");
-    exporting->add_option("--csv", options.csvFile, "Receives measured and simulated traces")->type_name("FILE");
-    exporting
-        ->add_option("--mf4", options.mf4File, "Receives measured and simulated traces and residuals as ASAM MDF 4")
-        ->type_name("FILE");
-    exporting
-        ->add_option("--parameters", options.parameterFile,
-                     "Receives the parameters, by the ending of its name: .csv, .json, .ssv (SSP 1.0), .dcm (DCM 2.0) "
-                     "or .cdfx (ASAM CDF 2.0)")
-        ->type_name("FILE");
-    addCommon(*exporting, options);
-
-    CLI::App* channels = command(Command::Channels, "What a measurement file holds: groups, channels, units, rasters");
-    channels->add_option("file", options.input, "ASAM MDF, MATLAB, TDMS, XLSX or a text table")
-        ->required()
-        ->type_name("FILE");
-    channels->add_flag("--json", options.asJson, "As JSON");
-    channels->add_flag("--values", options.withValues, "Read the values: first, last, min, max, mean of each channel");
-
+    addExport(*command(Command::Export, "The model as an FMU or as stand-alone Modelica, its traces, its parameters"),
+              options);
+    addChannels(*command(Command::Channels, "What a measurement file holds: groups, channels, units, rasters"),
+                options);
     CLI::App* packing = command(Command::Pack, "A study as one .analogon file");
     packing->add_option("study", options.input, "The study: a directory or its study.json")
         ->required()
@@ -292,17 +305,7 @@ void describe(CLI::App& app, Options& options) {
     for (CLI::App* sub : {packing, unpacking})
         sub->add_option("target,--out", options.out, "What to write (default: named as the study, here)")
             ->type_name("PATH");
-
-    CLI::App* generate = command(Command::Generate, "Compose a first model from its domains and a measurement");
-    addNames(*generate, "--domains", options.domains, "For example electric-thermal,thermal-fluid")
-        ->required()
-        ->type_name("DOMAIN,…");
-    generate->add_option("--data", options.data, "The measurement; of several the last one validates")
-        ->required()
-        ->type_name("FILE");
-    generate->add_option("--out", options.out, "The study to write")->required()->type_name("STUDY");
-    generate->add_option("--class", options.className, "Name of the model (default: Component)")->type_name("NAME");
-    addCommon(*generate, options);
+    addGenerate(*command(Command::Generate, "Compose a first model from its domains and a measurement"), options);
 }
 
 std::vector<std::string> argumentsOf(int argc, char** argv, const CLI::App& app, Options& options) {

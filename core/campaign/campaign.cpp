@@ -198,7 +198,7 @@ private:
         if (!wanted.empty() && !written.empty() && wanted != written)
             faults_.push_back(error(phrase("the campaign names the unit {} and the table {}", wanted, written),
                                     places_.value(pointer), phrase("Name the column as the table does.")));
-        const std::string unit = written.empty() ? wanted : written;
+        std::string unit = written.empty() ? wanted : written;
         if (!unit.empty() && !isKnownUnit(unit))
             faults_.push_back(error(phrase("the unit \"{}\" is not known", unit), places_.value(pointer)));
         return unit;
