@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include "ui/campaign/units_model.hpp"
+#include "ui/style/ink.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
@@ -224,9 +225,7 @@ void CampaignWindow::showNote(const Text& note) {
 }
 
 void CampaignWindow::tell(const QString& text, bool isFault) {
-    QPalette palette = this->palette();
-    if (isFault) palette.setColor(QPalette::WindowText, style::fault(palette));
-    told_->setPalette(palette);
+    style::tint(*told_, isFault ? style::fault : nullptr);
     told_->setText(text);
     told_->setVisible(!text.isEmpty());
 }

@@ -20,6 +20,7 @@
 #include "ui/effect/finding_words.hpp"
 #include "ui/effect/result_panel.hpp"
 #include "ui/effect/result_table.hpp"
+#include "ui/style/ink.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
 
@@ -75,9 +76,9 @@ QTreeWidgetItem* ResultPanel::addCandidate(const CandidateResult& c) {
             bold.setWeight(QFont::DemiBold);
             item->setFont(i, bold);
         }
-        item->setForeground(Judgement, style::good(palette()));
+        style::tint(*item, Judgement, style::good, palette());
     } else if (c.verdict != Verdict::Equivalent) {
-        for (int i = 0; i < Trial; ++i) item->setForeground(i, style::mutedText(palette()));
+        for (int i = 0; i < Trial; ++i) style::tint(*item, i, style::mutedText, palette());
     }
     return item;
 }

@@ -19,6 +19,7 @@
 #include "ui/effect/finding_words.hpp"
 #include "ui/effect/result_table.hpp"
 #include "ui/style/find_key.hpp"
+#include "ui/style/ink.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
@@ -139,9 +140,7 @@ void ResultPanel::addHeadline(const Finding& finding) {
     headline_ = new QLabel(h.title, body_);
     headline_->setWordWrap(true);
     style::makeHeading(headline_, 1.3);
-    QPalette tinted = headline_->palette();
-    tinted.setColor(headline_->foregroundRole(), h.isGood ? style::good(palette()) : style::caution(palette()));
-    headline_->setPalette(tinted);
+    style::tint(*headline_, h.isGood ? style::good : style::caution);
     column_->addWidget(headline_);
     addText(h.sentence);
     if (finding.end.isAtLimitOfWork && document_.resultKind() == RunKind::Discover && !document_.isResultStale()) {
@@ -152,10 +151,8 @@ void ResultPanel::addHeadline(const Finding& finding) {
         addButton(longer_);
     }
     if (document_.isResultStale()) {
-        auto* stale = addText(tr("The study has been changed since. Run again to see what holds now."), true);
-        QPalette p = stale->palette();
-        p.setColor(QPalette::PlaceholderText, style::caution(p));
-        stale->setPalette(p);
+        style::tint(*addText(tr("The study has been changed since. Run again to see what holds now."), true),
+                    style::caution);
     }
 }
 
@@ -190,7 +187,7 @@ void ResultPanel::addComparison(const Finding& finding) {
         QFont bold = item->font(3);
         bold.setWeight(QFont::DemiBold);
         item->setFont(3, bold);
-        item->setForeground(1, style::mutedText(palette()));
+        style::tint(*item, 1, style::mutedText, palette());
         item->setToolTip(0, tr("Root mean square error in percent of the measured range, over all outputs"));
     }
     for (const int c : {2, 3}) comparison_->headerItem()->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/style/ink.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
@@ -28,6 +29,7 @@ QTreeWidget* resultTable(const QStringList& headers, QWidget* parent) {
     table->setUniformRowHeights(true);
     table->header()->setStretchLastSection(false);
     table->header()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    style::followTheme(*table);
     return table;
 }
 

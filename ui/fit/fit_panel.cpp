@@ -26,6 +26,7 @@
 #include "ui/fit/run_controller.hpp"
 #include "ui/fit/stop_field.hpp"
 #include "ui/style/find_key.hpp"
+#include "ui/style/ink.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/sought_words.hpp"
 #include "ui/style/style.hpp"
@@ -162,6 +163,7 @@ void FitPanel::createParts() {
     history_->setAccessibleName(tr("Runs so far"));
     comparison_->setSelectionMode(QAbstractItemView::NoSelection);
     comparison_->setAccessibleName(tr("Comparison of runs"));
+    style::onThemeChange(*this, [this] { colourCompared(); });
     for (QTreeWidget* table : {history_, comparison_})
         table->setMinimumHeight(table->header()->sizeHint().height() + 3 * table->fontMetrics().lineSpacing());
     pin_->setIcon(style::icon("pin"));
@@ -413,17 +415,24 @@ void FitPanel::compare() {
         const QString letter = isFirst ? QStringLiteral("A ") : isLast ? QStringLiteral("B ") : QString();
         header->setText(c, letter + compared[static_cast<std::size_t>(c) - 1]->label());
         header->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
-        header->setForeground(c, isFirst  ? style::beforeTrace(palette())
-                                 : isLast ? style::afterTrace(palette())
-                                          : palette().color(QPalette::WindowText));
         // The name of an effect breaks, and pushes no column out of sight.
         comparison_->header()->setSectionResizeMode(c,
                                                     columns < 5 ? QHeaderView::Stretch : QHeaderView::ResizeToContents);
         if (!comparison_->itemDelegateForColumn(c)) style::wrapColumn(comparison_, c);
     }
+    colourCompared();
     comparison_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     fillComparison(comparison_, compared);
     document_.compareRuns(Document::RunPair{*compared.front(), *compared.back()});
+}
+
+/// The heads of the first and the last as their traces.
+void FitPanel::colourCompared() {
+    const int last = comparison_->columnCount() - 1;
+    for (int c = 1; c <= last; ++c)
+        comparison_->headerItem()->setForeground(c, c == 1      ? style::beforeTrace(palette())
+                                                    : c == last ? style::afterTrace(palette())
+                                                                : palette().color(QPalette::WindowText));
 }
 
 void FitPanel::restore() {

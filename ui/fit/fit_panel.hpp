@@ -49,6 +49,7 @@ private:
     void leaveFilter();
     void showDetails();
     void compare();
+    void colourCompared();
     void describe();
     void pin(bool isPinned);
     const RunRecord* chosenRun() const;

@@ -13,6 +13,7 @@
 
 #include "ui/measurement/channel_sketch.hpp"
 #include "ui/style/find_key.hpp"
+#include "ui/style/ink.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/sought_words.hpp"
 #include "ui/style/style.hpp"
@@ -67,6 +68,7 @@ ChannelBrowser::ChannelBrowser(QWidget* parent)
     tree_->setFrameShape(QFrame::NoFrame);
     tree_->setAlternatingRowColors(true);
     tree_->setAccessibleName(tr("Channels of the file"));
+    style::followTheme(*tree_);
     tree_->header()->setStretchLastSection(true);
     about_->setWordWrap(true);
     about_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -119,7 +121,6 @@ void ChannelBrowser::show(std::shared_ptr<const MeasurementFile> file) {
 void ChannelBrowser::fill() {
     const QSignalBlocker blocker(tree_);
     tree_->clear();
-    const QColor muted = style::mutedText(palette());
     QList<QTreeWidgetItem*> groups;
     for (std::size_t g = 0; g < file_->groups.size(); ++g) {
         const RecordedGroup& group = file_->groups[g];
@@ -128,7 +129,7 @@ void ChannelBrowser::fill() {
             {name, {}, tr("%1 samples, %2").arg(style::countText(group.samples), rasterText(group.master))});
         top->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable | Qt::ItemIsAutoTristate);
         top->setCheckState(Name, Qt::Unchecked);
-        top->setForeground(About, muted);
+        style::tint(*top, About, style::mutedText, palette());
         for (std::size_t c = 0; c < group.channels.size(); ++c) {
             const RecordedChannel& channel = group.channels[c];
             if (group.masterChannel == c || channel.kind == ChannelKind::Text) continue;
@@ -140,7 +141,7 @@ void ChannelBrowser::fill() {
             item->setData(
                 Name, searchRole,
                 QString(item->text(Name) + ' ' + item->text(Unit) + ' ' + item->text(About) + ' ' + name).toLower());
-            item->setForeground(About, muted);
+            style::tint(*item, About, style::mutedText, palette());
         }
         groups << top;
     }

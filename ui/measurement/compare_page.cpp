@@ -15,6 +15,7 @@
 #include "ui/document/document.hpp"
 #include "ui/measurement/course_plot.hpp"
 #include "ui/measurement/mapping.hpp"
+#include "ui/style/ink.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
@@ -86,6 +87,11 @@ ComparePage::ComparePage(Document& document, QWidget* parent)
         if (row < 0) return;
         plot_->setMarked(static_cast<std::size_t>(row));
         if (const QTableWidgetItem* about = table_->item(row, About)) caption_->setText(about->text());
+    });
+    style::onThemeChange(*this, [this] {
+        const QSignalBlocker quiet(table_);
+        for (int row = 0; row < table_->rowCount(); ++row)
+            table_->item(row, Recording)->setForeground(plot_->colourOf(static_cast<std::size_t>(row)));
     });
     connect(&document, &Document::experimentsChanged, this, &ComparePage::refresh);
     connect(&document, &Document::opened, this, &ComparePage::left);

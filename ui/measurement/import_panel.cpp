@@ -27,6 +27,7 @@
 #include "ui/measurement/question_card.hpp"
 #include "ui/measurement/read_fields.hpp"
 #include "ui/measurement/table_model.hpp"
+#include "ui/style/ink.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
@@ -225,7 +226,7 @@ void ImportPanel::browse() {
     shown_->show();
     showPage(browser_);
     accept_->setEnabled(false);
-    problems_->setPalette(palette());
+    style::tint(*problems_, nullptr);
     problems_->setText(told_ = tr("The file holds %1 channels. Tick those that are to be read; the others stay in it.")
                                    .arg(style::countText(channelsIn(*recording_))));
 }
@@ -355,9 +356,7 @@ void ImportPanel::showPreview(Preview preview) {
         whole_ = preview.told;
     }
     ask(preview);
-    QPalette p = palette();
-    p.setColor(QPalette::WindowText, table_ ? style::caution(p) : style::fault(p));
-    problems_->setPalette(problems.empty() ? palette() : p);
+    style::tint(*problems_, problems.empty() ? nullptr : table_ ? style::caution : style::fault);
     // a question tells what is wrong, and the rows of the file
     const bool isAsked = !preview.asked.empty() && !table_;
     tellProblems(isAsked ? Diagnostics{} : problems);

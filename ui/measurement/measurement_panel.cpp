@@ -22,6 +22,7 @@
 #include "ui/measurement/mapping.hpp"
 #include "ui/measurement/mapping_text.hpp"
 #include "ui/measurement/recording_edits.hpp"
+#include "ui/style/ink.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
@@ -150,6 +151,7 @@ MeasurementPanel::MeasurementPanel(Document& document, QWidget* parent)
     tree_->header()->setStretchLastSection(false);
     tree_->header()->setSectionResizeMode(Source, QHeaderView::Stretch);
     tree_->setAccessibleName(tr("Measurements"));
+    style::followTheme(*tree_);
     for (const int column : {Source, Clock, Unit}) tree_->setItemDelegateForColumn(column, new MappingDelegate(*this));
     tree_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     tree_->setContextMenuPolicy(Qt::CustomContextMenu);

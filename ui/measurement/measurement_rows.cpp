@@ -17,6 +17,7 @@
 #include "ui/measurement/mapping_text.hpp"
 #include "ui/measurement/measurement_panel.hpp"
 #include "ui/measurement/recording_extent.hpp"
+#include "ui/style/ink.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
@@ -36,7 +37,7 @@ void showUse(QTreeWidgetItem* top, const StudyExperiment& experiment, const QPal
     top->setText(1, isFit ? MeasurementPanel::tr("fit") : MeasurementPanel::tr("validate"));
     top->setToolTip(1, isFit ? MeasurementPanel::tr("Used to fit and to choose effects")
                              : MeasurementPanel::tr("Only reported; never used to fit or to choose"));
-    top->setForeground(1, isFit ? style::accentText(palette) : style::mutedText(palette));
+    style::tint(*top, 1, isFit ? style::accentText : style::mutedText, palette);
 }
 
 QString rangeText(const StudyExperiment& experiment) {
@@ -54,7 +55,6 @@ QTreeWidgetItem* MeasurementPanel::addRow(QTreeWidgetItem* top, Kind kind, const
 }
 
 void MeasurementPanel::addSpares(QTreeWidgetItem* top, const Table& file, const std::set<QString>& used) {
-    const QColor muted = style::mutedText(palette());
     const QIcon icon = style::icon("spare");
     const ChannelLabels labels(file);
     QList<QTreeWidgetItem*> items;
@@ -67,7 +67,7 @@ void MeasurementPanel::addSpares(QTreeWidgetItem* top, const Table& file, const 
         item->setData(1, columnRole, label);
         item->setIcon(0, icon);
         item->setToolTip(0, tr("Kept: the search for effects may use it as a cause"));
-        for (int c : {0, 1}) item->setForeground(c, muted);
+        for (int c : {0, 1}) style::tint(*item, c, style::mutedText, palette());
         items << item;
     }
     top->addChildren(items);
@@ -141,9 +141,11 @@ void MeasurementPanel::mark(QTreeWidgetItem* top, const StudyExperiment& experim
                                             : tr("Left out of all work; set the check box to take it in");
     if (top->toolTip(0) == tip) return;  // it says all that the row shows of it
     top->setIcon(0, style::icon(isMissing ? "error" : faulty ? "warning" : "recording"));
-    top->setForeground(0, !experiment.isUsed    ? QBrush(style::mutedText(palette()))
-                          : faulty || isMissing ? QBrush(style::caution(palette()))
-                                                : QBrush());
+    style::tint(*top, 0,
+                !experiment.isUsed    ? style::mutedText
+                : faulty || isMissing ? style::caution
+                                      : nullptr,
+                palette());
     top->setToolTip(0, tip);
 }
 
@@ -153,7 +155,7 @@ void MeasurementPanel::addUnread(QTreeWidgetItem* top, const StudyExperiment& ex
     const Diagnostics& faults = document_.study().unread.at(tableKey(experiment));
     auto* item = addRow(top, Kind::Unread, inWords(faults.front().message), {});
     item->setIcon(0, style::icon("error"));
-    item->setForeground(0, style::fault(palette()));
+    style::tint(*item, 0, style::fault, palette());
     QStringList tip;
     for (const Diagnostic& d : faults) tip << inWords(d.message);
     tip << tr("Double-click or Enter looks for the file");
@@ -177,14 +179,13 @@ QTreeWidgetItem* MeasurementPanel::itemOf(const StudyExperiment& experiment) {
     const Table* const table = whole.get();
     const QString file = QString::fromStdString(std::filesystem::path(experiment.file).filename().string());
     const QString name = QString::fromStdString(experiment.name);
-    const QColor muted = style::mutedText(palette());
     auto* top = new QTreeWidgetItem({name});
     top->setFlags(top->flags() | Qt::ItemIsEditable);
     top->setData(0, experimentRole, name);
     top->setData(0, kindRole, static_cast<int>(Kind::Experiment));
     showUse(top, experiment, palette());
     auto* info = addRow(top, Kind::Info, file, {});
-    info->setForeground(0, muted);
+    style::tint(*info, 0, style::mutedText, palette());
     info->setToolTip(0, QString::fromStdString(experiment.file) + "\n" + tr("Double-click or Enter shows the values"));
     addUnread(top, experiment);
     mark(top, experiment);
@@ -203,7 +204,7 @@ QTreeWidgetItem* MeasurementPanel::itemOf(const StudyExperiment& experiment) {
             item->setIcon(0, style::icon(isInput ? "input" : "output"));
             item->setToolTip(0, isInput ? tr("Input of the model") : tr("Output of the model"));
             if (!mapping) {
-                item->setForeground(1, style::caution(palette()));
+                style::tint(*item, 1, style::caution, palette());
                 item->setToolTip(1, tr("Drag a column here, or double-click and choose one"));
                 item->setData(1, columnRole, QString());
                 return;
@@ -212,13 +213,15 @@ QTreeWidgetItem* MeasurementPanel::itemOf(const StudyExperiment& experiment) {
             item->setData(1, columnRole, label);
             item->setToolTip(1, mappingTip(*mapping, file));
             item->setText(Clock, clockText(*mapping));
-            item->setForeground(Clock, mapping->fitsClock      ? style::accentText(palette())
-                                       : hasOwnClock(*mapping) ? palette().color(QPalette::Text)
-                                                               : muted);
+            style::tint(*item, Clock,
+                        mapping->fitsClock      ? style::accentText
+                        : hasOwnClock(*mapping) ? nullptr
+                                                : style::mutedText,
+                        palette());
             item->setToolTip(Clock, clockTip(!isInput));
             const Column* const column = columnOf(table, mapping->channel());
             item->setText(Unit, QString::fromStdString(mapping->unit.empty() && column ? column->unit : mapping->unit));
-            item->setForeground(Unit, mapping->unit.empty() ? muted : palette().color(QPalette::Text));
+            style::tint(*item, Unit, mapping->unit.empty() ? style::mutedText : nullptr, palette());
             item->setToolTip(Unit, mapping->unit.empty() ? tr("As the file says") : tr("Told here, not by the file"));
             used.insert(label);
         };
@@ -233,7 +236,7 @@ QTreeWidgetItem* MeasurementPanel::itemOf(const StudyExperiment& experiment) {
     auto* rangeItem = addRow(top, Kind::Range, tr("range"), rangeText(experiment));
     rangeItem->setFlags(rangeItem->flags() | Qt::ItemIsEditable);
     rangeItem->setIcon(0, style::icon("time"));
-    rangeItem->setForeground(1, muted);
+    style::tint(*rangeItem, 1, style::mutedText, palette());
     rangeItem->setToolTip(1, tr("Double-click and type from and to, in seconds"));
     return top;
 }

@@ -21,6 +21,7 @@
 #include "core/study/recorded.hpp"
 #include "core/study/study_with.hpp"
 #include "ui/document/document.hpp"
+#include "ui/style/ink.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
@@ -208,9 +209,7 @@ void PracticeDialog::check() {
     else
         options(why);
     fault_->setText(why.isEmpty() ? tr("The file becomes a recording of the study, to fit from.") : why);
-    QPalette colours = palette();
-    if (!why.isEmpty()) colours.setColor(fault_->foregroundRole(), style::fault(colours));
-    fault_->setPalette(colours);
+    style::tint(*fault_, why.isEmpty() ? nullptr : style::fault);
     record_->setEnabled(why.isEmpty() && !writer_.isBusy());
 }
 

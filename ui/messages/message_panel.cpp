@@ -11,6 +11,7 @@
 #include "ui/document/document.hpp"
 #include "ui/document/mention.hpp"
 #include "ui/document/unfinished.hpp"
+#include "ui/style/ink.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
 
@@ -61,6 +62,7 @@ MessagePanel::MessagePanel(Document& document, QWidget* parent)
     list_->setSpacing(style::unit / 2);
     list_->setIconSize({18, 18});
     list_->setAccessibleName(tr("Messages"));
+    style::followTheme(*list_);
     pages_->addWidget(empty);
     pages_->addWidget(list_);
     connect(&document, &Document::messagesChanged, this, &MessagePanel::refresh);
@@ -115,10 +117,10 @@ void MessagePanel::refresh() {
             new QListWidgetItem(style::icon(hint ? QStringLiteral("note") : iconName(d.severity)), text, list_);
         item->setData(Qt::UserRole, static_cast<unsigned>(i));
         if (hint) {
-            item->setForeground(style::mutedText(palette()));
+            style::tint(*item, style::mutedText, palette());
         } else if (d.severity == Severity::Error) {
             ++errors;
-            item->setForeground(style::fault(palette()));
+            style::tint(*item, style::fault, palette());
         }
         if (hasPlace(document_.messages()[i]))
             item->setToolTip(QString::fromStdString(d.place.file) + "\n" + tr("Click to see the place"));

@@ -15,6 +15,7 @@
 #include "core/study/domain_part.hpp"
 #include "ui/document/composer.hpp"
 #include "ui/library/library_model.hpp"
+#include "ui/style/ink.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
 
@@ -132,9 +133,7 @@ GeneratePage::GeneratePage(QWidget* parent)
 QString GeneratePage::fault() const { return message_->text(); }
 
 void GeneratePage::say(const QString& text, bool isFault) {
-    QPalette p = palette();
-    p.setColor(QPalette::WindowText, isFault ? style::fault(p) : style::mutedText(p));
-    message_->setPalette(p);
+    style::tint(*message_, isFault ? style::fault : style::mutedText);
     message_->setText(text);
 }
 

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/style/ink.hpp"
 #include "ui/style/style.hpp"
 #include "ui/window/recovered_line.hpp"
 
@@ -223,12 +224,15 @@ void StartPage::showWork(const QStringList& recent, const std::vector<Recovered>
         if (!QFileInfo::exists(path)) continue;
         if (std::exchange(isFirst, false)) addHeading(tr("Recent"));
         auto* link = new QLabel(this);
-        const QString muted = style::mutedText(palette()).name();
-        link->setText(
-            QStringLiteral(
-                "<a href=\"%1\" style=\"text-decoration:none\">%2</a> &nbsp;<span style=\"color:%4\">%3</span>")
-                .arg(path.toHtmlEscaped(), QFileInfo(path).fileName().toHtmlEscaped(),
-                     QFileInfo(path).path().toHtmlEscaped(), muted));
+        const auto write = [link, path] {
+            link->setText(
+                QStringLiteral(
+                    "<a href=\"%1\" style=\"text-decoration:none\">%2</a> &nbsp;<span style=\"color:%4\">%3</span>")
+                    .arg(path.toHtmlEscaped(), QFileInfo(path).fileName().toHtmlEscaped(),
+                         QFileInfo(path).path().toHtmlEscaped(), style::mutedText(link->palette()).name()));
+        };
+        write();
+        style::onThemeChange(*link, write);
         link->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
         connect(link, &QLabel::linkActivated, this, &StartPage::exampleChosen);
         work_->addWidget(link);
@@ -238,9 +242,7 @@ void StartPage::showWork(const QStringList& recent, const std::vector<Recovered>
 void StartPage::showFault(const QString& text) {
     fault_->setText(text);
     fault_->setVisible(!text.isEmpty());
-    QPalette p = palette();
-    p.setColor(QPalette::WindowText, style::fault(p));
-    fault_->setPalette(p);
+    style::tint(*fault_, style::fault);
 }
 
 }  // namespace analogon::ui
