@@ -17,6 +17,7 @@
 #include "core/base/stopwatch.hpp"
 #include "core/base/unit.hpp"
 #include "core/fit/difference_slopes.hpp"
+#include "core/fit/failure_words.hpp"
 #include "core/fit/kink.hpp"
 #include "core/fit/misfit.hpp"
 #include "core/fit/optimum_uncertainty.hpp"
@@ -294,11 +295,6 @@ double objectiveOf(const FitProblem& problem, double cost, double scatter) {
     return cost / (scatter * scatter) + problem.residualCount() * std::log(scatter);
 }
 
-Text nameOf(const FitProblem& problem, const FitParameter& p) {
-    if (p.experiment < 0) return p.name;
-    return phrase("{} of '{}'", p.name, problem.experiments[static_cast<std::size_t>(p.experiment)].name);
-}
-
 /// What the data and the priors say of each other.
 void addPriorRemarks(const FitProblem& problem, FitResult& result) {
     constexpr double asGood = 0.98;  // of its standard deviation
@@ -307,7 +303,7 @@ void addPriorRemarks(const FitProblem& problem, FitResult& result) {
         const FitEstimate& estimate = result.estimates[i];
         if (!p.prior) continue;
         const double distance = p.prior->distance(estimate.value);
-        const Text name = nameOf(problem, p);
+        const Text name = fittedName(problem, p);
         if (std::abs(distance) > NormalPrior::contradiction)
             result.remarks.push_back(phrase(
                 "{} = {:.6g} lies {:.1f} standard deviations from its prior {:.6g} ± {:.3g}: the data contradict what "
@@ -350,7 +346,7 @@ Text valuesText(const FitProblem& problem, const Eigen::VectorXd& values) {
     Text list;
     for (std::size_t i = 0; i < problem.parameters.size(); ++i) {
         if (i > 0) list += ", ";
-        list += phrase("{} = {:.4g}", nameOf(problem, problem.parameters[i]), values[static_cast<Eigen::Index>(i)]);
+        list += phrase("{} = {:.4g}", fittedName(problem, problem.parameters[i]), values[static_cast<Eigen::Index>(i)]);
     }
     return list;
 }
@@ -392,7 +388,7 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
     uncertainty.covariance = uncertainty.correlation = Eigen::MatrixXd::Constant(K, K, nan);
     if ((result.optimum.ok || isReduced) && K > 0) {
         std::vector<std::string> names;
-        for (const FitParameter& p : problem.parameters) names.push_back(nameOf(problem, p));
+        for (const FitParameter& p : problem.parameters) names.push_back(fittedName(problem, p));
         const ReducedMisfit reduced =
             isReduced ? best.reduced : withPriors(reduce(result.optimum.jacobian, result.optimum.residuals), priors);
         std::optional<double> ofLoss;
@@ -503,6 +499,7 @@ FitResult fitted(const FitProblem& problem, const FitOptions& options, const Pro
     }
     conclude(problem, options, descents[best], result, progress);
     result.startCost = descents[best < starts.size() ? 0 : best].startCost;
+    tellFailure(problem, best < starts.size() ? starts[best] : elsewhere[best - starts.size()], result);
     if (best >= starts.size()) {
         result.beganElsewhere = true;
         result.remarks.insert(result.remarks.begin(),

@@ -160,6 +160,7 @@ void ResultPanel::addAdoption() {
     if (document_.isResultStale() || document_.isResultAdopted()) return;
     const bool isFit = document_.resultKind() == RunKind::Fit;
     if (!isFit && document_.finding()->effects.empty()) return;
+    if (isFit && document_.finding()->final.status == FitStatus::Failed) return;  // values on the way to a failure
     auto* button = new QPushButton(isFit ? tr("Write fitted values into the model") : tr("Add to the model"), body_);
     button->setObjectName("adopt");
     button->setDefault(true);

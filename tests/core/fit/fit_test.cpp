@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
@@ -275,6 +276,34 @@ TEST(Fit, SaysWhyItCannotStart) {
     EXPECT_EQ(result.status, FitStatus::Failed);
     EXPECT_THAT(result.message, HasSubstr("Rr is no free parameter of the model"));
     EXPECT_THAT(result.message, HasSubstr("C: the start value 5 is outside its bounds 0 to 1"));
+}
+
+TEST(Fit, ThatBeganAtTheOptimumSaysSoAndCountsNoIterations) {
+    FitProblem problem = charging();
+    problem.experiments[0].parameters[1] = 0.8;
+    FitResult result = fit(problem);
+    for (int again = 0; again < 3; ++again) {
+        problem.parameters[0].start = result.values[0];
+        result = fit(problem);
+        ASSERT_EQ(result.status, FitStatus::Converged) << result.message;
+    }
+    EXPECT_EQ(result.iterations, 0);
+    EXPECT_EQ(result.message.english(), "it began at the optimum");
+}
+
+TEST(Fit, ThatFailsOnItsWayKeepsTheBestAndSaysWhichParameterWentWhere) {
+    FitProblem problem = charging();
+    problem.experiments[0].parameters[1] = 0.8;
+    std::atomic<int> simulations{0};
+    problem.beforeSimulation = [&](SimulationTask&, SimulationOptions&) {
+        if (++simulations > 3) throw std::runtime_error("there is no root");
+    };
+    const FitResult result = fit(problem);
+    EXPECT_EQ(result.status, FitStatus::Failed);
+    EXPECT_TRUE(std::isfinite(result.cost));
+    EXPECT_LT(result.cost, result.startCost);
+    EXPECT_THAT(result.message.english(), HasSubstr("there is no root"));
+    EXPECT_THAT(result.message.english(), HasSubstr("the best until then is kept: R went from 1 to "));
 }
 
 TEST(Fit, SaysWhereTheSimulationAtTheStartFails) {
