@@ -1,5 +1,7 @@
 #include "core/diagram/annotation.hpp"
 
+#include <filesystem>
+
 namespace analogon::annotation {
 
 using syntax::Expression;
@@ -190,6 +192,26 @@ void readText(const Record& record, Primitive& p) {
             if (literal(one) == "Bold") p.bold = true;
 }
 
+const std::string pictureInText = "data:";  // no name of a file begins so: those are whole paths
+
+/// A picture file of the package that the text belongs to, or beside a text that is in none; empty: it lies elsewhere.
+std::string pictureFile(std::string name, const Span& span) {
+    namespace fs = std::filesystem;
+    constexpr std::string_view scheme = "modelica://";
+    if (name.empty() || !span.source) return {};
+    std::error_code none;
+    fs::path root = fs::path(span.source->name()).parent_path();
+    if (name.starts_with(scheme)) {
+        while (fs::exists(root.parent_path() / "package.mo", none)) root = root.parent_path();
+        const auto end = name.find('/', scheme.size());
+        if (end == std::string::npos) return {};
+        name = name.substr(end + 1);
+    }
+    const fs::path inside = fs::path(name).lexically_normal();
+    if (inside.is_absolute() || *inside.begin() == "..") return {};
+    return (root / inside).string();
+}
+
 void readArrows(const Record& record, Primitive& p) {
     const Expression* arrows = record.value("arrow");
     if (!arrows || arrows->operands.size() != 2) return;
@@ -217,7 +239,16 @@ Primitive readPrimitive(const Record& record, Primitive::Kind kind) {
 
 }  // namespace
 
-std::vector<Primitive> primitives(const Record& layer) {
+std::string_view pictureBytes(const Primitive& picture) {
+    const std::string_view text = picture.text;
+    return text.starts_with(pictureInText) ? text.substr(pictureInText.size()) : std::string_view();
+}
+
+std::string pictureFile(const Primitive& picture) {
+    return pictureBytes(picture).empty() ? picture.text : std::string();
+}
+
+std::vector<Primitive> primitives(const Record& layer, std::vector<std::uint32_t>* begins) {
     std::vector<Primitive> result;
     const Expression* graphics = layer.value("graphics");
     if (!graphics || graphics->kind != Expression::Kind::Array) return result;
@@ -227,6 +258,11 @@ std::vector<Primitive> primitives(const Record& layer) {
         const auto kind = kindOf(record.name());
         if (!kind || record.boolean("visible") == false) continue;
         result.push_back(readPrimitive(record, *kind));
+        if (begins) begins->push_back(item.span.begin);
+        if (kind != Primitive::Kind::Bitmap) continue;
+        const std::string bytes = record.string("imageSource").value_or("");
+        result.back().text =
+            bytes.empty() ? pictureFile(record.string("fileName").value_or(""), item.span) : pictureInText + bytes;
     }
     return result;
 }

@@ -48,7 +48,12 @@ std::optional<Record> find(const std::optional<syntax::Annotation>& annotation, 
 /// `Placement(transformation(…))`; with `asIcon` the `iconTransformation` when there is one.
 std::optional<Placement> placement(const std::optional<syntax::Annotation>& annotation, bool asIcon = false);
 
-/// The primitives of an Icon or Diagram annotation.
-std::vector<Primitive> primitives(const Record& layer);
+/// The primitives of an Icon or Diagram annotation, and where each record begins in the text.
+std::vector<Primitive> primitives(const Record& layer, std::vector<std::uint32_t>* begins = nullptr);
+
+/// Of a Bitmap: the bytes of a picture file in base64, which stand in the text of the model; empty: they do not.
+std::string_view pictureBytes(const Primitive& picture);
+/// The file that holds them otherwise; empty: none that may be read.
+std::string pictureFile(const Primitive& picture);
 
 }  // namespace analogon::annotation

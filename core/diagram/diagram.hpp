@@ -36,7 +36,7 @@ struct Primitive {
     Kind kind{Kind::Line};
     std::vector<Point> points;  // Line, Polygon
     Extent extent;              // the others
-    std::string text;           // Text (with %name, %class, %par macros unexpanded)
+    std::string text;           // Text (with %name, %class, %par macros unexpanded); Bitmap: see pictureBytes
     Colour line{0, 0, 0};
     Colour fill{255, 255, 255};
     bool filled{};

@@ -248,4 +248,17 @@ syntax::Replacement setAnnotation(const std::optional<syntax::Annotation>& annot
     return {begin, begin, innerText + ", "};
 }
 
+syntax::Replacement setClassAnnotation(const syntax::ClassDefinition& definition, std::string_view outer,
+                                       std::string_view inner, const std::string& innerText) {
+    const std::string fresh = std::string(outer) + "(" + innerText + ")";
+    if (definition.annotation) return setAnnotation(definition.annotation, 0, outer, inner, innerText, fresh);
+    const std::string& text = definition.source->text();
+    const std::string newline = lineEnd(text), indent = indentation(text, definition.span.begin);
+    const std::uint32_t at = beforeIndentation(text, definition.endSpan.begin);
+    const bool startsLine = at == 0 || text[at - 1] == '\n';
+    return {
+        at, at,
+        (startsLine ? "" : newline) + indent + "  annotation (" + fresh + ");" + newline + (startsLine ? "" : indent)};
+}
+
 }  // namespace analogon::edit_text

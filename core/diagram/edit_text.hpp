@@ -40,6 +40,10 @@ syntax::Replacement setAnnotation(const std::optional<syntax::Annotation>& annot
                                   std::string_view outer, std::string_view inner, const std::string& innerText,
                                   const std::string& fresh);
 
+/// The same in the annotation of a class, which must have a body; where it has none, one is written before its end.
+syntax::Replacement setClassAnnotation(const syntax::ClassDefinition& definition, std::string_view outer,
+                                       std::string_view inner, const std::string& innerText);
+
 /// The text under [begin, end) after replacements that lie inside.
 std::string applied(std::string_view text, std::uint32_t begin, std::uint32_t end,
                     std::vector<syntax::Replacement> edits);

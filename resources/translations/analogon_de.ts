@@ -462,6 +462,18 @@
         <source>Unit of %1 (V, N.m, degC, rpm …)</source>
         <translation>Einheit von %1 (V, N.m, degC, rpm …)</translation>
     </message>
+    <message>
+        <source>Add text …</source>
+        <translation>Text hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Add picture …</source>
+        <translation>Bild hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Text in the diagram</source>
+        <translation>Text im Diagramm</translation>
+    </message>
 </context>
 <context>
     <name>Composer</name>
@@ -636,6 +648,34 @@
     <message>
         <source>Lead the wire from %1 to %2</source>
         <translation>Leitung von %1 nach %2 legen</translation>
+    </message>
+    <message>
+        <source>Add a text</source>
+        <translation>Text hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a picture</source>
+        <translation>Bild hinzufügen</translation>
+    </message>
+    <message>
+        <source>Move a text</source>
+        <translation>Text verschieben</translation>
+    </message>
+    <message>
+        <source>Move a picture</source>
+        <translation>Bild verschieben</translation>
+    </message>
+    <message>
+        <source>Change a text</source>
+        <translation>Text ändern</translation>
+    </message>
+    <message>
+        <source>Remove a text</source>
+        <translation>Text entfernen</translation>
+    </message>
+    <message>
+        <source>Remove a picture</source>
+        <translation>Bild entfernen</translation>
     </message>
 </context>
 <context>
@@ -4647,6 +4687,14 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>Components, parameters, signals, recordings, effects that were tried, runs and texts</source>
         <translation>Komponenten, Parameter, Signale, Aufzeichnungen, probierte Effekte, Läufe und Texte</translation>
+    </message>
+    <message>
+        <source>Add a picture to the diagram</source>
+        <translation>Dem Diagramm ein Bild hinzufügen</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.bmp *.gif *.svg)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg *.bmp *.gif *.svg)</translation>
     </message>
 </context>
 <context>
@@ -13614,6 +13662,46 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>An archive reads itself alone: put the logo into it.</source>
         <translation>Ein Archiv liest nur sich selbst: das Logo hineinlegen.</translation>
+    </message>
+    <message>
+        <source>the diagram of '{}' has no such text or picture any more</source>
+        <translation>im Diagramm von „{}“ gibt es diesen Text oder dieses Bild nicht mehr</translation>
+    </message>
+    <message>
+        <source>Choose it again: the text of the model has changed since.</source>
+        <translation>Noch einmal auswählen: Der Modelltext hat sich seither geändert.</translation>
+    </message>
+    <message>
+        <source>'{}' has no place for a text or a picture</source>
+        <translation>„{}“ hat keinen Platz für einen Text oder ein Bild</translation>
+    </message>
+    <message>
+        <source>what the diagram of '{}' shows is not written as a list</source>
+        <translation>was das Diagramm von „{}“ zeigt, ist nicht als Liste geschrieben</translation>
+    </message>
+    <message>
+        <source>Write it as 'graphics={{…}}'.</source>
+        <translation>Als „graphics={{…}}“ schreiben.</translation>
+    </message>
+    <message>
+        <source>'{}' is not a file</source>
+        <translation>„{}“ ist keine Datei</translation>
+    </message>
+    <message>
+        <source>'{}' is larger than 64 MB: make the picture smaller</source>
+        <translation>„{}“ ist größer als 64 MB: das Bild verkleinern</translation>
+    </message>
+    <message>
+        <source>'{}' cannot be read as a picture: PNG, JPEG and SVG can</source>
+        <translation>„{}“ lässt sich nicht als Bild lesen; PNG, JPEG und SVG gehen</translation>
+    </message>
+    <message>
+        <source>{} went from {:.4g} to {:.4g}</source>
+        <translation>{} ging von {:.4g} nach {:.4g}</translation>
+    </message>
+    <message>
+        <source>{}; the best until then is kept: {}</source>
+        <translation>{}; das Beste bis dahin bleibt erhalten: {}</translation>
     </message>
 </context>
 <context>

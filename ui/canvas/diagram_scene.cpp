@@ -8,6 +8,7 @@
 
 #include "ui/canvas/block_item.hpp"
 #include "ui/canvas/icon_painter.hpp"
+#include "ui/canvas/note_item.hpp"
 #include "ui/canvas/wire_item.hpp"
 #include "ui/route/route.hpp"
 
@@ -130,9 +131,12 @@ DiagramScene::~DiagramScene() {
     clear();
 }
 
-void DiagramScene::show(const Diagram& diagram) {
+void DiagramScene::show(const Diagram& diagram, const std::vector<OwnGraphic>& own) {
     const DiagramSelection selected = selection();
     const QString shownBlock = selectedBlock();
+    const NoteItem* chosen = selectedNote();
+    // a change of a text or picture leaves it where its record begins
+    const std::optional<std::uint32_t> note = chosen ? std::optional(chosen->graphic().begin) : std::nullopt;
     isRebuilding_ = true;
     diagram_ = diagram;
     moved_.reset();
@@ -140,7 +144,8 @@ void DiagramScene::show(const Diagram& diagram) {
     clear();
     blocks_.clear();
     wires_.clear();
-    if (!diagram.graphics.empty()) addItem(new GraphicsItem(diagram.graphics));
+    notes_.clear();
+    showGraphics(own, note);
     std::vector<Wire> wires = diagram.wires;
     for (Wire& wire : wires) reachAnchors(wire, diagram);
     WiresAt at;
@@ -160,11 +165,39 @@ void DiagramScene::show(const Diagram& diagram) {
     }
     placeLabels();
     setSceneRect(contents().adjusted(-400, -400, 400, 400));
-    setSelection(selected);
+    if (!selectedNote()) setSelection(selected);
     isRebuilding_ = false;
     noteOrder();
     if (selectedBlock() != shownBlock) Q_EMIT blockSelected(selectedBlock());
     if (!(selection() == selected)) Q_EMIT selectionEdited();
+}
+
+void DiagramScene::showGraphics(const std::vector<OwnGraphic>& own, std::optional<std::uint32_t> chosen) {
+    std::vector<Primitive> plain(
+        diagram_.graphics.begin(),
+        diagram_.graphics.end() - static_cast<std::ptrdiff_t>(std::min(own.size(), diagram_.graphics.size())));
+    for (const OwnGraphic& graphic : own) {
+        if (!NoteItem::isNote(graphic.primitive)) {
+            plain.push_back(graphic.primitive);
+            continue;
+        }
+        auto* item = new NoteItem(graphic);
+        addItem(item);
+        notes_.push_back(item);
+        item->setSelected(chosen == graphic.begin);
+    }
+    if (!plain.empty()) addItem(new GraphicsItem(std::move(plain)));
+}
+
+NoteItem* DiagramScene::selectedNote() const {
+    const auto found = std::find_if(notes_.begin(), notes_.end(), [](const NoteItem* n) { return n->isSelected(); });
+    return found == notes_.end() ? nullptr : *found;
+}
+
+void DiagramScene::selectNote(NoteItem& note) {
+    setSelection({});
+    clearSelection();
+    note.setSelected(true);
 }
 
 /// Names stand where they cover least: on the side the icon asks for, else on the other, else beside the middle.
@@ -355,7 +388,8 @@ QRectF DiagramScene::contents() const {
         rect |=
             item->isMarked() ? item->boundingRect().adjusted(0, -labelHeight, 0, labelHeight) : item->boundingRect();
     for (const WireItem* item : wires_) rect |= item->boundingRect();
-    return blocks_.empty() ? QRectF(-100, -70, 200, 140) : rect;
+    for (const NoteItem* item : notes_) rect |= item->boundingRect();
+    return blocks_.empty() && notes_.empty() ? QRectF(-100, -70, 200, 140) : rect;
 }
 
 }  // namespace analogon::ui

@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 
-#include "core/diagram/diagram.hpp"
+#include "core/diagram/graphics_edit.hpp"
 #include "ui/canvas/mark_item.hpp"
 #include "ui/route/moved.hpp"
 #include "ui/route/selection.hpp"
@@ -12,6 +12,7 @@
 namespace analogon::ui {
 
 class BlockItem;
+class NoteItem;
 class WireItem;
 
 /// A block to be shown as found.
@@ -35,7 +36,8 @@ public:
     explicit DiagramScene(QObject* parent = nullptr);
     ~DiagramScene() override;
 
-    void show(const Diagram& diagram);
+    /// `own`: what the class itself draws beside its blocks; its texts and pictures can be chosen.
+    void show(const Diagram& diagram, const std::vector<OwnGraphic>& own = {});
     const Diagram& diagram() const { return diagram_; }
     /// Blocks that a result found; of the others those that something is to be said of.
     void mark(const std::vector<EffectMark>& effects, const std::vector<BlockMark>& marks = {});
@@ -49,6 +51,10 @@ public:
     void setSelection(const DiagramSelection& selection);
     /// What is selected of `part` no longer is, and the rest of it is.
     void toggle(const DiagramSelection& part);
+    /// The text or picture of the model that is selected, instead of blocks and wires; null: none.
+    NoteItem* selectedNote() const;
+    void selectNote(NoteItem& note);
+    const std::vector<NoteItem*>& notes() const { return notes_; }
     /// All blocks that lie in a rectangle, and wires that do.
     void selectIn(const QRectF& rect, const DiagramSelection& also);
     const std::vector<WireItem*>& wires() const { return wires_; }
@@ -70,6 +76,7 @@ Q_SIGNALS:
 
 private:
     bool hasRoomBelow(const BlockItem& item) const;
+    void showGraphics(const std::vector<OwnGraphic>& own, std::optional<std::uint32_t> chosen);
     void placeLabels();
     void placeMarks(const std::vector<BlockMark>& marks);
 
@@ -80,8 +87,8 @@ private:
     std::vector<std::string> order_;  // selected blocks, first selected first
     std::map<std::string, BlockItem*> blocks_;
     std::vector<WireItem*> wires_;
+    std::vector<NoteItem*> notes_;
     std::optional<MovedBlocks> moved_;  // while they are dragged
-    QGraphicsItem* graphics_{};
     bool isRebuilding_{};
 };
 

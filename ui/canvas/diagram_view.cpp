@@ -11,6 +11,7 @@
 #include "ui/canvas/diagram_scene.hpp"
 #include "ui/canvas/gesture.hpp"
 #include "ui/canvas/icon_painter.hpp"
+#include "ui/canvas/note_item.hpp"
 #include "ui/canvas/wire_item.hpp"
 #include "ui/style/style.hpp"
 
@@ -94,7 +95,9 @@ void DiagramView::keyPressEvent(QKeyEvent* event) {
     const bool isPlain = !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
     const double step = event->modifiers() & Qt::ShiftModifier ? 50 : 10;
     const auto arrow = [&](double dx, double dy) {
-        if (scene_.selection().blocks.empty())
+        if (scene_.selectedNote())
+            Q_EMIT noteMoved(dx, dy);
+        else if (scene_.selection().blocks.empty())
             panBy(QPoint(static_cast<int>(-dx * 4), static_cast<int>(dy * 4)));
         else
             Q_EMIT moveWanted(dx, dy);
@@ -117,6 +120,7 @@ void DiagramView::keyPressEvent(QKeyEvent* event) {
             return arrow(0, -step);
         case Qt::Key_Return:
         case Qt::Key_Enter:
+            if (scene_.selectedNote()) return Q_EMIT noteActivated();
             if (!scene_.selectedBlock().isEmpty()) Q_EMIT blockActivated(scene_.selectedBlock());
             return;
         case Qt::Key_Menu:
@@ -144,6 +148,12 @@ void DiagramView::panBy(QPoint pixels) {
 BlockItem* DiagramView::blockAt(QPoint at) const {
     for (QGraphicsItem* item : items(at))
         if (item->type() == BlockItem::Type) return static_cast<BlockItem*>(item);
+    return nullptr;
+}
+
+NoteItem* DiagramView::noteAt(QPoint at) const {
+    for (QGraphicsItem* item : items(at))
+        if (item->type() == NoteItem::Type) return static_cast<NoteItem*>(item);
     return nullptr;
 }
 
@@ -193,6 +203,8 @@ void DiagramView::mousePressEvent(QMouseEvent* event) {
         else
             scene_.setSelection(clicked);
         if (!adds) gesture_ = makeBendGesture(*this, event, wire);
+    } else if (NoteItem* note = noteAt(event->pos()); note && !(event->modifiers() & Qt::ShiftModifier)) {
+        gesture_ = makeNoteGesture(*this, event, *note);
     } else {
         gesture_ = makeBandGesture(*this, event);
     }
@@ -214,7 +226,12 @@ void DiagramView::mouseDoubleClickEvent(QMouseEvent* event) {
     if (const auto map = overview(); map && map->contains(event->pos())) return lookAtOverview(event->pos());
     if (BlockItem* item = blockAt(event->pos()))
         return Q_EMIT blockActivated(QString::fromStdString(item->block().name));
-    if (const std::string name = nameAt(event->pos()); !name.empty()) Q_EMIT renameWanted(QString::fromStdString(name));
+    if (const std::string name = nameAt(event->pos()); !name.empty())
+        return Q_EMIT renameWanted(QString::fromStdString(name));
+    if (NoteItem* note = noteAt(event->pos())) {
+        scene_.selectNote(*note);
+        Q_EMIT noteActivated();
+    }
 }
 
 void DiagramView::contextMenuEvent(QContextMenuEvent* event) {

@@ -12,6 +12,7 @@ namespace analogon::ui {
 class BlockItem;
 class DiagramScene;
 class Gesture;
+class NoteItem;
 
 /// A block that would be placed at a point, drawn while it is dragged in from the library.
 struct GhostBlock {
@@ -48,6 +49,7 @@ public:
     void lookAtOverview(QPoint at);
 
     BlockItem* blockAt(QPoint at) const;
+    NoteItem* noteAt(QPoint at) const;
     /// Where the name of a block stands in this view; empty: it has none.
     QRect nameRect(const std::string& block) const;
     /// Why two connectors cannot be connected; empty: they can. Set by the owner.
@@ -74,6 +76,8 @@ Q_SIGNALS:
     void dropWanted(double dx, double dy);  // the same by the mouse, which may mean a wire
     void wireWanted(const QString& from, const QString& to);
     void wireBent(const QString& from, const QString& to, const std::vector<analogon::Point>& way);
+    void noteMoved(double dx, double dy);  // the text or picture that is selected
+    void noteActivated();
     void refused(const QString& reason);
     void staleClicked();
     void blockActivated(const QString& name);

@@ -9,6 +9,7 @@
 namespace analogon::ui {
 
 class DiagramView;
+class NoteItem;
 
 /// What the mouse is doing on the diagram, from press to release. Changes nothing before the end.
 class Gesture {
@@ -31,6 +32,8 @@ std::unique_ptr<Gesture> makeMoveGesture(DiagramView& view, QMouseEvent* press);
 std::unique_ptr<Gesture> makeWireGesture(DiagramView& view, QMouseEvent* press, const std::string& from);
 /// Moves the piece of a wire under the pointer at right angles; a press without a move is a click.
 std::unique_ptr<Gesture> makeBendGesture(DiagramView& view, QMouseEvent* press, const Wire& wire);
+/// Moves a text or picture on the grid; a press without a move chooses it.
+std::unique_ptr<Gesture> makeNoteGesture(DiagramView& view, QMouseEvent* press, NoteItem& note);
 /// Selects what lies in a rectangle.
 std::unique_ptr<Gesture> makeBandGesture(DiagramView& view, QMouseEvent* press);
 std::unique_ptr<Gesture> makePanGesture(DiagramView& view, QMouseEvent* press);

@@ -1,9 +1,14 @@
 #include "ui/canvas/icon_painter.hpp"
 
+#include <QBuffer>
+#include <QFileInfo>
+#include <QImageReader>
 #include <QPainter>
+#include <QPixmapCache>
 #include <QRegularExpression>
 #include <cmath>
 
+#include "core/diagram/annotation.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
@@ -148,6 +153,52 @@ void paintText(QPainter& painter, const Primitive& p, const QRectF& scene, const
     painter.restore();
 }
 
+/// Decoded once, not with every stroke of the wheel; null: it cannot be read.
+QPixmap decodedPicture(const Primitive& p) {
+    constexpr qint64 largest = 64 << 20;  // [bytes] of a file
+    const std::string_view bytes = annotation::pictureBytes(p);
+    const QString key = QStringLiteral("bitmap-%1-%2")
+                            .arg(p.text.size())
+                            .arg(qHash(QByteArrayView(p.text.data(), static_cast<qsizetype>(p.text.size()))));
+    QPixmap picture;
+    if (QPixmapCache::find(key, &picture)) return picture;
+    QBuffer buffer;
+    QImageReader reader;
+    const QString file = QString::fromStdString(annotation::pictureFile(p));
+    if (!bytes.empty()) {
+        buffer.setData(QByteArray::fromBase64(QByteArray(bytes.data(), static_cast<qsizetype>(bytes.size()))));
+        buffer.open(QIODevice::ReadOnly);
+        reader.setDevice(&buffer);
+    } else if (QFileInfo(file).isFile() && QFileInfo(file).size() <= largest) {
+        reader.setFileName(file);
+    }
+    reader.setAutoTransform(true);
+    if (reader.device() || !reader.fileName().isEmpty()) picture = QPixmap::fromImage(reader.read());
+    QPixmapCache::insert(key, picture);
+    return picture;
+}
+
+/// As large as it goes into its extent with the proportions that it has; one that cannot be read is an empty frame.
+void paintPicture(QPainter& painter, const Primitive& p, const QTransform& own, const QPalette& palette) {
+    const QPixmap picture = decodedPicture(p);
+    const QRectF extent = rectOf(p.extent);
+    painter.save();
+    painter.setTransform(own, true);
+    if (picture.isNull()) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(style::mutedText(palette), 0, Qt::DashLine));
+        painter.drawRect(extent);
+    } else {
+        QSizeF size = picture.size();
+        size.scale(extent.size(), Qt::KeepAspectRatio);
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.translate(extent.center());
+        painter.scale(1, -1);  // the diagram's y runs upward
+        painter.drawPixmap(QRectF(QPointF(-size.width() / 2, -size.height() / 2), size), picture, picture.rect());
+    }
+    painter.restore();
+}
+
 void paintArrow(QPainter& painter, QPointF tip, QPointF from, double size) {
     const QLineF line(tip, from);
     if (line.length() <= 0) return;
@@ -168,7 +219,10 @@ void paintPrimitives(QPainter& painter, const std::vector<Primitive>& primitives
             paintText(painter, p, path.boundingRect(), macros, palette);
             continue;
         }
-        if (p.kind == Primitive::Kind::Bitmap) continue;  // its file lies outside the study
+        if (p.kind == Primitive::Kind::Bitmap) {
+            paintPicture(painter, p, own, palette);
+            continue;
+        }
         const QPen pen = penOf(p, deviceScale, palette);
         painter.setPen(pen);
         const bool isLine = p.kind == Primitive::Kind::Line;

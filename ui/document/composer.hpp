@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QByteArray>
 #include <QPointF>
+#include <QSizeF>
 #include <QString>
 #include <functional>
 #include <optional>
@@ -9,6 +11,7 @@
 
 #include "core/diagram/diagram.hpp"
 #include "core/diagram/edit.hpp"
+#include "core/diagram/graphics_edit.hpp"
 #include "ui/route/moved.hpp"
 #include "ui/route/selection.hpp"
 
@@ -53,6 +56,12 @@ public:
     /// Declares what a copied text holds, moved by (dx, dy), under free names; their names.
     std::vector<std::string> paste(const std::string& text, double dx, double dy);
     bool setClassName(const std::string& name);
+    /// A line of text, or a picture (the bytes of its file, with its proportions), above all that the diagram shows.
+    bool addText(const QString& text);
+    bool addPicture(const QByteArray& bytes, QSizeF size);
+    bool moveNote(const OwnGraphic& note, double dx, double dy);
+    bool setText(const OwnGraphic& note, const QString& text);
+    bool removeNote(const OwnGraphic& note);
     /// Puts blocks into a new class of this name, with connectors for the wires that cross its border, and one block of
     /// it in their place; that block's name, or empty.
     std::string group(const std::vector<std::string>& blocks, const std::string& className);

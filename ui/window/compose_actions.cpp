@@ -10,8 +10,10 @@
 #include "ui/canvas/block_item.hpp"
 #include "ui/canvas/diagram_scene.hpp"
 #include "ui/canvas/diagram_view.hpp"
+#include "ui/canvas/note_item.hpp"
 #include "ui/document/composer.hpp"
 #include "ui/document/document.hpp"
+#include "ui/document/kept_picture.hpp"
 #include "ui/library/chooser.hpp"
 #include "ui/library/library_model.hpp"
 #include "ui/library/library_panel.hpp"
@@ -49,6 +51,8 @@ ComposeActions::ComposeActions(Document& document, DiagramScene& scene, DiagramV
     rename_ = make(tr("Rename …"), {Qt::Key_F2}, &ComposeActions::rename);
     renameModel_ = make(tr("Rename model …"), {Qt::SHIFT | Qt::Key_F2}, &ComposeActions::renameModel);
     unit_ = make(tr("Unit …"), {Qt::Key_U}, &ComposeActions::askForUnit);
+    text_ = make(tr("Add text …"), {Qt::SHIFT | Qt::Key_T}, &ComposeActions::addText);
+    picture_ = make(tr("Add picture …"), {Qt::SHIFT | Qt::Key_P}, &ComposeActions::pictureWanted);
     selectAll_ = make(tr("Select all"), {QKeySequence::SelectAll}, &ComposeActions::selectAll);
     group_ = make(tr("Group into a model …"), {Qt::Key_G}, &ComposeActions::group);
     group_->setObjectName("group");
@@ -100,6 +104,10 @@ void ComposeActions::connectGestures() {
             [this](const QString& from, const QString& to, const std::vector<Point>& way) {
                 report(composer_->lead({from.toStdString(), to.toStdString()}, way));
             });
+    connect(&view_, &DiagramView::noteMoved, this, [this](double dx, double dy) {
+        if (const NoteItem* note = scene_.selectedNote()) report(composer_->moveNote(note->graphic(), dx, dy));
+    });
+    connect(&view_, &DiagramView::noteActivated, this, &ComposeActions::editText);
     connect(&view_, &DiagramView::refused, this, &ComposeActions::told);
     connect(&view_, &DiagramView::typed, this, &ComposeActions::chooseBlock);
     connect(&view_, &DiagramView::blockActivated, this, [this](const QString& block) {
@@ -154,13 +162,15 @@ std::vector<std::string> ComposeActions::blocks() const { return scene_.selectio
 void ComposeActions::update() {
     const DiagramSelection selected = scene_.selection();
     const bool isOpen = document_.isOpen(), hasBlocks = !selected.blocks.empty();
-    for (QAction* a : {insert_, paste_, selectAll_}) a->setEnabled(isOpen);
+    const NoteItem* note = scene_.selectedNote();
+    const bool isText = note && note->primitive().kind == Primitive::Kind::Text;
+    for (QAction* a : {insert_, paste_, selectAll_, text_, picture_}) a->setEnabled(isOpen);
     renameModel_->setEnabled(isOpen && document_.levels().empty());
     for (QAction* a : {cut_, copy_, duplicate_, rotate_, flipH_, flipV_, group_}) a->setEnabled(hasBlocks);
     enter_->setEnabled(selected.blocks.size() == 1 && document_.canEnter(selected.blocks.front()));
     leave_->setEnabled(!document_.levels().empty());
-    remove_->setEnabled(!selected.isEmpty());
-    rename_->setEnabled(selected.blocks.size() == 1);
+    remove_->setEnabled(!selected.isEmpty() || note);
+    rename_->setEnabled(selected.blocks.size() == 1 || isText);
     const Block* only = selected.blocks.size() == 1 ? document_.diagram().find(selected.blocks.front()) : nullptr;
     unit_->setEnabled(only && hasUnit(*only));
     wire_->setEnabled(hasBlocks);
@@ -169,7 +179,7 @@ void ComposeActions::update() {
 }
 
 void ComposeActions::fill(QMenu& menu) const {
-    menu.addActions({insert_, wire_});
+    menu.addActions({insert_, wire_, text_, picture_});
     menu.addSeparator();
     menu.addActions({cut_, copy_, paste_, duplicate_, remove_, selectAll_});
     menu.addSeparator();
@@ -294,7 +304,10 @@ void ComposeActions::paste() {
 
 void ComposeActions::duplicate() { pasteText(composer_->copy(blocks()), 20, -20); }
 
-void ComposeActions::remove() { report(composer_->remove(scene_.selection())); }
+void ComposeActions::remove() {
+    const NoteItem* note = scene_.selectedNote();
+    report(note ? composer_->removeNote(note->graphic()) : composer_->remove(scene_.selection()));
+}
 
 void ComposeActions::rotate() { report(composer_->rotate(blocks())); }
 
@@ -303,6 +316,7 @@ void ComposeActions::flipHorizontally() { report(composer_->flip(blocks(), true)
 void ComposeActions::flipVertically() { report(composer_->flip(blocks(), false)); }
 
 void ComposeActions::rename() {
+    if (scene_.selectedNote()) return editText();
     const QString block = scene_.selectedBlock();
     if (block.isEmpty()) return;
     const auto take = [this, block](const QString& name) {
@@ -323,6 +337,32 @@ void ComposeActions::askForUnit() {
                   [this, block](const QString& unit) {
                       report(composer_->setUnit(block.toStdString(), unit.trimmed().toStdString()));
                   });
+}
+
+void ComposeActions::addText() {
+    if (!document_.isOpen()) return;
+    chooser_->ask(tr("Text in the diagram"), {}, [this](const QString& text) {
+        report(composer_->addText(text));
+        view_.refitIfHidden();
+    });
+}
+
+void ComposeActions::editText() {
+    const NoteItem* note = scene_.selectedNote();
+    if (!note || note->primitive().kind != Primitive::Kind::Text) return;
+    const QRect place = view_.mapFromScene(note->sceneBoundingRect()).boundingRect();
+    chooser_->askInPlace(place, tr("Text in the diagram"), qString(note->primitive().text),
+                         [this](const QString& text) {
+                             if (const NoteItem* now = scene_.selectedNote())
+                                 report(composer_->setText(now->graphic(), text));
+                         });
+}
+
+void ComposeActions::addPicture(const QString& file) {
+    const Outcome<KeptPicture> picture = keptPicture(file);
+    if (!picture) return Q_EMIT told(inWords(picture.diagnostics().front().message));
+    report(composer_->addPicture(picture->bytes, picture->size));
+    view_.refitIfHidden();
 }
 
 void ComposeActions::renameModel() {

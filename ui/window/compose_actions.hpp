@@ -33,10 +33,13 @@ public:
     Composer& composer() { return *composer_; }
     /// A block of this class where there is room, selected.
     void placeAnywhere(const QString& className);
+    /// A picture of a file, which comes to lie in the model.
+    void addPicture(const QString& file);
 
 Q_SIGNALS:
     void told(const QString& sentence);  // why something was not done
     void inspectWanted(const QString& block);
+    void pictureWanted();
 
 private:
     QAction* make(const QString& text, const QList<QKeySequence>& keys, void (ComposeActions::*slot)());
@@ -62,6 +65,8 @@ private:
     void rename();
     void renameModel();
     void askForUnit();
+    void addText();
+    void editText();
     void selectAll();
     void group();
     void enter();
@@ -75,7 +80,8 @@ private:
     std::unique_ptr<Composer> composer_;
     Chooser* chooser_;
     QAction *insert_{}, *wire_{}, *cut_{}, *copy_{}, *paste_{}, *duplicate_{}, *remove_{}, *rotate_{}, *flipH_{},
-        *flipV_{}, *rename_{}, *renameModel_{}, *unit_{}, *selectAll_{}, *group_{}, *enter_{}, *leave_{};
+        *flipV_{}, *rename_{}, *renameModel_{}, *unit_{}, *text_{}, *picture_{}, *selectAll_{}, *group_{}, *enter_{},
+        *leave_{};
     std::vector<QAction*> align_, distribute_;
     std::string pastedText_;
     int pasteCount_{};  // of the same text: each copy lies a step further

@@ -469,7 +469,7 @@ void MainWindow::showModel() {
                         ? QString()
                         : tr("The text has a fault: this is the model as it was before. A click shows the fault."));
     if (!isSound) return;
-    scene_->show(document_->diagram());
+    scene_->show(document_->diagram(), ownGraphics(*document_->definition()));
     showEffects();
 }
 
