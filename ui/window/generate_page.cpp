@@ -1,7 +1,6 @@
 #include "ui/window/generate_page.hpp"
 
 #include <QCoreApplication>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QKeyEvent>
@@ -123,7 +122,7 @@ GeneratePage::GeneratePage(QWidget* parent)
     });
     connect(known_, &QListWidget::itemDoubleClicked, this,
             [this](QListWidgetItem* item) { addDomain(item->data(Qt::UserRole).toString()); });
-    connect(browse_, &QPushButton::clicked, this, &GeneratePage::askForRecording);
+    connect(browse_, &QPushButton::clicked, this, &GeneratePage::recordingsWanted);
     connect(generate_, &QPushButton::clicked, this, &GeneratePage::generate);
     connect(cancel_, &QPushButton::clicked, this, &GeneratePage::cancelled);
     connect(name_, &QLineEdit::textChanged, this, &GeneratePage::update);
@@ -176,17 +175,6 @@ void GeneratePage::addRecording(const QString& path) {
     item->setData(Qt::UserRole, QFileInfo(path).absoluteFilePath());
     item->setToolTip(path);
     update();
-}
-
-void GeneratePage::askForRecording() {
-    auto* dialog = new QFileDialog(window(), tr("Add recording"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setModal(false);
-    dialog->setFileMode(QFileDialog::ExistingFiles);
-    connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& files) {
-        for (const QString& file : files) addRecording(file);
-    });
-    dialog->show();
 }
 
 void GeneratePage::update() {

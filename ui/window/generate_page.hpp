@@ -33,12 +33,12 @@ public:
 Q_SIGNALS:
     void generated(const analogon::GeneratedStudy& study);
     void cancelled();
+    void recordingsWanted();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void askForRecording();
     void takeOut(QListWidget* list);
     QPushButton* takeOutOf(QListWidget* list, const char* name);
     void generate();

@@ -307,6 +307,7 @@ void MainWindow::connectPanels() {
     connect(start_, &StartPage::exampleChosen, this, &MainWindow::open);
     connect(start_, &StartPage::generateWanted, this, &MainWindow::showGenerate);
     connect(generate_, &GeneratePage::cancelled, this, &MainWindow::showStudy);
+    connect(generate_, &GeneratePage::recordingsWanted, this, &MainWindow::askForRecordings);
     connect(generate_, &GeneratePage::generated, this, [this](const GeneratedStudy& made) {
         leaveThen([this, made] {
             Diagnostics assumed;

@@ -117,6 +117,8 @@ private:
     void findInStudy();
     void showEntry(const StudyEntry& entry);
     void askForStudy(bool isDirectory);
+    void askForPicture();
+    void askForRecordings();
     void save();
     void askWhereToSave();
     static QStringList measurementFilters();

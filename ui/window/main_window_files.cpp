@@ -1,9 +1,7 @@
 #include <QApplication>
-#include <QDesktopServices>
 #include <QDir>
 #include <QDockWidget>
 #include <QDropEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
@@ -12,40 +10,23 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabWidget>
-#include <QTableWidget>
-#include <QToolButton>
 #include <QUrl>
 #include <algorithm>
 
 #include "core/campaign/campaign_look.hpp"
-#include "core/export/export.hpp"
-#include "core/study/report_settings.hpp"
-#include "core/study/results.hpp"
-#include "ui/campaign/campaign_window.hpp"
 #include "ui/canvas/diagram_view.hpp"
 #include "ui/document/document.hpp"
-#include "ui/document/mention.hpp"
-#include "ui/effect/report_pdf.hpp"
-#include "ui/effect/report_top.hpp"
-#include "ui/fit/run_controller.hpp"
-#include "ui/job/job.hpp"
-#include "ui/measurement/compare_page.hpp"
 #include "ui/measurement/import_panel.hpp"
 #include "ui/measurement/locate.hpp"
-#include "ui/measurement/measurement_panel.hpp"
 #include "ui/measurement/practice_dialog.hpp"
-#include "ui/measurement/recordings_page.hpp"
-#include "ui/measurement/values_page.hpp"
 #include "ui/plot/plot_panel.hpp"
-#include "ui/sensitivity/sensitivity_page.hpp"
-#include "ui/style/style.hpp"
+#include "ui/window/compose_actions.hpp"
+#include "ui/window/file_dialog.hpp"
 #include "ui/window/generate_page.hpp"
 #include "ui/window/main_window.hpp"
-#include "ui/window/report_dialog.hpp"
-#include "ui/window/report_folder.hpp"
 #include "ui/window/start_page.hpp"
 
-/// The window's dealings with files: opening, saving, importing, reporting.
+/// The window's dealings with files: opening, saving, importing.
 namespace analogon::ui {
 
 namespace {
@@ -60,23 +41,6 @@ QStringList filesOf(const QMimeData* data) {
 bool isStudy(const QString& path) {
     const QFileInfo file(path);
     return file.isDir() || file.suffix() == "json" || isArchive(path.toStdString());
-}
-
-constexpr const char* folderKey = "window/folder";
-
-/// A dialog beside the window. It begins where the last one ended, in this start or in an earlier one.
-template <class Dialog = QFileDialog>
-Dialog* fileDialog(QWidget* window, Settings& settings, const QString& title, const QString& name) {
-    auto* dialog = new Dialog(window, title);
-    dialog->setObjectName(name);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setModal(false);
-    const QString folder = settings.value(folderKey).toString();
-    if (!folder.isEmpty() && QFileInfo(folder).isDir()) dialog->setDirectory(folder);
-    QObject::connect(dialog, &QFileDialog::fileSelected, dialog, [&settings](const QString& path) {
-        settings.setValue(folderKey, QFileInfo(path).absolutePath());
-    });
-    return dialog;
 }
 
 }  // namespace
@@ -156,9 +120,19 @@ QStringList MainWindow::measurementFilters() {
 
 void MainWindow::askForMeasurement() {
     QFileDialog* const dialog = fileDialog(this, settings_, tr("Import a measurement"), "import-dialog");
-    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setFileMode(QFileDialog::ExistingFiles);
     dialog->setNameFilters(measurementFilters());
-    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::importMeasurement);
+    connect(dialog, &QFileDialog::filesSelected, this, &MainWindow::takeFiles);
+    dialog->show();
+}
+
+void MainWindow::askForRecordings() {
+    QFileDialog* const dialog = fileDialog(this, settings_, tr("Add recording"), "recordings-dialog");
+    dialog->setFileMode(QFileDialog::ExistingFiles);
+    dialog->setNameFilters(measurementFilters());
+    connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& files) {
+        for (const QString& file : files) generate_->addRecording(file);
+    });
     dialog->show();
 }
 
@@ -168,6 +142,14 @@ void MainWindow::importMeasurement(const QString& path) {
     import_->show(path);
     if (centre_->indexOf(import_) < 0) centre_->addTab(import_, tr("Import"));
     centre_->setCurrentWidget(import_);
+}
+
+void MainWindow::askForPicture() {
+    QFileDialog* const dialog = fileDialog(this, settings_, tr("Add a picture to the diagram"), "picture-dialog");
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilters({tr("Pictures (*.png *.jpg *.jpeg *.bmp *.gif *.svg)"), tr("All files (*)")});
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) { compose_->addPicture(path); });
+    dialog->show();
 }
 
 /// The file of a recording that is not where the study says.
@@ -186,98 +168,6 @@ void MainWindow::leaveImport() {
     if (const int tab = centre_->indexOf(import_); tab >= 0) centre_->removeTab(tab);
     showDiagram();
     view_->setFocus();
-}
-
-void MainWindow::showValues(const QString& experiment) {
-    values_->show(experiment);
-    if (centre_->indexOf(values_) < 0) centre_->addTab(values_, tr("Values"));
-    centre_->setCurrentWidget(values_);
-}
-
-void MainWindow::leaveValues() {
-    const int tab = centre_->indexOf(values_);
-    if (tab < 0) return;
-    centre_->removeTab(tab);
-    showDiagram();
-}
-
-void MainWindow::showComparison(const QString& signal, const QString& experiment) {
-    comparison_->show(signal, experiment);
-    if (centre_->indexOf(comparison_) < 0) centre_->addTab(comparison_, tr("Compare"));
-    centre_->setCurrentWidget(comparison_);
-}
-
-void MainWindow::leaveComparison() {
-    const int tab = centre_->indexOf(comparison_);
-    if (tab < 0) return;
-    centre_->removeTab(tab);
-    showDiagram();
-}
-
-void MainWindow::connectRecordings() {
-    connect(measurements_, &MeasurementPanel::tableWanted, this, &MainWindow::showRecordings);
-    connect(recordings_, &RecordingsPage::left, this, &MainWindow::leaveRecordings);
-    connect(recordings_, &RecordingsPage::valuesWanted, this, &MainWindow::showValues);
-    connect(recordings_, &RecordingsPage::locateWanted, this, &MainWindow::askWhereItIs);
-    connect(recordings_, &RecordingsPage::experimentChosen, plots_, &PlotPanel::showExperiment);
-    const auto start = [this](RunKind kind) {
-        return [this, kind](const std::set<std::string>& recordings) {
-            settle();
-            controller_->startOn(kind, recordings);
-        };
-    };
-    connect(recordings_, &RecordingsPage::fitWanted, this, start(RunKind::Fit));
-    connect(recordings_, &RecordingsPage::searchWanted, this, start(RunKind::Discover));
-    connect(controller_, &RunController::runningChanged, recordings_,
-            [this] { recordings_->setRunning(controller_->isRunning()); });
-}
-
-void MainWindow::showRecordings() {
-    if (!document_->isOpen()) return;
-    if (centre_->indexOf(recordings_) < 0) centre_->addTab(recordings_, tr("Recordings"));
-    centre_->setCurrentWidget(recordings_);
-    recordings_->focusTable();
-}
-
-void MainWindow::leaveRecordings() {
-    const int tab = centre_->indexOf(recordings_);
-    if (tab < 0) return;
-    centre_->removeTab(tab);
-    showDiagram();
-}
-
-/// A campaign stands beside the study that is open; a second one takes the place of the first unless that runs.
-void MainWindow::showCampaign(const QString& file) {
-    auto* campaign = findChild<CampaignWindow*>();
-    if (!campaign) {
-        campaign = new CampaignWindow(this);
-        connect(campaign, &CampaignWindow::studyWanted, this, [this](const Study& study, const Diagnostics& remarks) {
-            leaveThen([this, study, remarks] { document_->startWith(study, remarks); });
-        });
-    }
-    if (!file.isEmpty()) campaign->openCampaign(file);
-    campaign->show();
-    campaign->raise();
-    campaign->activateWindow();
-}
-
-void MainWindow::showSensitivity() {
-    if (!document_->isOpen()) return;
-    if (!sensitivity_) {
-        sensitivity_ = new SensitivityPage(*document_, this);
-        connect(sensitivity_, &SensitivityPage::left, this, [this] {
-            const int tab = centre_->indexOf(sensitivity_);
-            if (tab < 0) return;
-            centre_->removeTab(tab);
-            showDiagram();
-        });
-        connect(sensitivity_, &SensitivityPage::parameterChosen, this, [this](const QString& name) {
-            showMention({Mention::Kind::Parameter, name});
-        });
-    }
-    if (centre_->indexOf(sensitivity_) < 0) centre_->addTab(sensitivity_, tr("Sensitivities"));
-    centre_->setCurrentWidget(sensitivity_);
-    sensitivity_->matrix()->setFocus();
 }
 
 void MainWindow::askForPractice() {
@@ -310,119 +200,6 @@ void MainWindow::askWhereToSave() {
     connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::saveTo);
     connect(dialog, &QDialog::rejected, this, [this] { afterSave_ = nullptr; });
     dialog->show();
-}
-
-/// The head of the report first: what it says is on every page of it.
-void MainWindow::askForReport() {
-    if (!document_->isOpen()) return;
-    auto* dialog = new ReportDialog(*document_, reportAction_->isEnabled(), this);
-    connect(dialog, &ReportDialog::writeWanted, this, &MainWindow::askWhereToReport);
-    dialog->show();
-}
-
-void MainWindow::askWhereToReport() {
-    auto* dialog =
-        fileDialog<ReportFolderDialog>(this, settings_, tr("Write the report into a directory"), "report-dialog");
-    dialog->setProposal(tr("%1 report").arg(document_->title()).replace(u'/', u'-'));
-    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::writeReport);
-    dialog->show();
-}
-
-void MainWindow::writeReport(const QString& path) {
-    if (!document_->result()) return;
-    ReportHead head = reportHeadOf(document_->study().extraJson);  // of the study as it is now, not as it was then
-    if (!head.logo.empty()) {
-        const std::filesystem::path logo = std::filesystem::absolute(document_->study().directory / head.logo);
-        if (std::filesystem::exists(logo)) head.logo = logo.string();
-    }
-    const auto write = [this, result = document_->sharedResult(), kind = document_->resultKind(),
-                        title = document_->title(), path, head](std::vector<QImage> pictures) {
-        writer_->start<Outcome<bool>>(  // whether it is there on paper, too
-            tr("Writing the report"),
-            [result, kind, title, pictures = std::move(pictures), path, head](const Progress&) -> Outcome<bool> {
-                Outcome<ResultsPlace> place = ResultsPlace::take(path.toStdString());
-                if (!place) return place.diagnostics();
-                const Outcome<Done> done = place->write(*result, commandName(kind), Traces::All, {}, head);
-                if (!done) return done.diagnostics();
-                Diagnostics said = done.diagnostics();
-                const ReportPictures paper{pictures, logoPicture(QString::fromStdString(head.logo)),
-                                           diagramsOf(*result)};
-                const QString fault =
-                    writeReportPdf(QDir(path).filePath("report.pdf"), title, kind, result->finding, paper, head);
-                if (!fault.isEmpty()) said.push_back(error(fault.toStdString()));
-                return {fault.isEmpty(), std::move(said)};
-            },
-            [this, path](Outcome<bool> isOnPaper) {
-                document_->setRunMessages(isOnPaper.diagnostics());
-                if (!isOnPaper) return statusBar()->showMessage(tr("No report written: see the messages."));
-                offerReport(QDir(path).filePath("report.html"));
-                statusBar()->showMessage(
-                    (*isOnPaper ? tr("Report written to %1/report.html.")
-                                : tr("Report written to %1/report.html, but no report.pdf: see the messages."))
-                        .arg(path));
-            });
-    };
-    plots_->takePictures(write);
-}
-
-/// The report that was written last, until another study is opened.
-void MainWindow::offerReport(const QString& file) {
-    if (!openReport_) {
-        openReport_ = new QToolButton(this);
-        openReport_->setObjectName("open-report");
-        openReport_->setText(tr("Open the report"));
-        openReport_->setIcon(style::icon("report"));
-        openReport_->setAutoRaise(true);
-        openReport_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-        openReport_->setFixedHeight(fontMetrics().height() + 2);  // the bar keeps its height
-        statusBar()->addPermanentWidget(openReport_);
-        connect(openReport_, &QToolButton::clicked, this,
-                [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(openReport_->toolTip())); });
-        connect(document_, &Document::opened, openReport_, &QWidget::hide);
-    }
-    openReport_->setToolTip(file);
-    openReport_->show();
-}
-
-void MainWindow::askWhereToExport(ExportFormat format) {
-    const auto [filter, ending] = [format]() -> std::pair<QString, QString> {
-        switch (format) {
-            case ExportFormat::Fmu:
-                return {tr("Functional Mock-up Units (*.fmu)"), "fmu"};
-            case ExportFormat::Modelica:
-                return {tr("Modelica texts (*.mo)"), "mo"};
-            case ExportFormat::Mf4:
-                return {tr("ASAM MDF (*.mf4)"), "mf4"};
-            case ExportFormat::Parameters:
-                return {tr("Parameters (*.csv *.json *.ssv *.dcm *.cdfx)"), "csv"};
-            case ExportFormat::Csv:
-                break;
-        }
-        return {tr("Tables (*.csv)"), "csv"};
-    }();
-    QFileDialog* const dialog = fileDialog(this, settings_, tr("Export"), "export-dialog");
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilter(filter);
-    dialog->setDefaultSuffix(ending);
-    dialog->selectFile(document_->title() + "." + ending);
-    connect(dialog, &QFileDialog::fileSelected, this, [this, format](const QString& path) { exportTo(format, path); });
-    dialog->show();
-}
-
-void MainWindow::exportTo(ExportFormat format, const QString& path) {
-    if (!document_->isOpen()) return;
-    settle();
-    statusBar()->showMessage(tr("Exporting …"));
-    exporter_->start<Outcome<Exported>>(
-        tr("Exporting"),
-        [study = document_->study(), format, path](const Progress& progress) {
-            return exportStudy(study, format, path.toStdString(), progress);
-        },
-        [this, path](Outcome<Exported> exported) {
-            document_->setRunMessages(exported.diagnostics());
-            statusBar()->showMessage(exported ? tr("Exported to %1.").arg(path)
-                                              : tr("Nothing exported: see the messages."));
-        });
 }
 
 /// A file is meant for the window, whatever panel or field it is dropped on: else a text would take its address.
