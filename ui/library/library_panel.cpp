@@ -139,6 +139,15 @@ QRect LibraryPanel::showClass(const QString& className) {
     return tree_->visualRect(index);
 }
 
+bool LibraryPanel::read(const QString& className) {
+    const QModelIndex known = model_->find(className);
+    if (!known.isValid()) return false;
+    if (!filtered_->mapFromSource(known).isValid()) search_->clear();  // what was searched for leaves it out
+    showClass(className);
+    tree_->setCurrentIndex(filtered_->mapFromSource(known));
+    return true;
+}
+
 QString LibraryPanel::documentation(const QString& className) const {
     const LibraryClass* cls = document_.library().find(className.toStdString());
     if (!cls) return {};

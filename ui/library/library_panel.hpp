@@ -28,6 +28,8 @@ public:
     /// Opens the packages above a class; its place in the tree's viewport.
     QRect showClass(const QString& className);
     QString documentation(const QString& className) const;
+    /// Marks a class and tells what it is for; false: the library does not have it.
+    bool read(const QString& className);
 
 Q_SIGNALS:
     void placeWanted(const QString& className);  // anywhere

@@ -5,6 +5,9 @@
 #include <QClipboard>
 #include <QMenu>
 #include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
 
 #include "core/diagram/edit.hpp"
 #include "ui/canvas/block_item.hpp"
@@ -26,6 +29,25 @@ namespace analogon::ui {
 namespace {
 
 QString qString(const std::string& text) { return QString::fromStdString(text); }
+
+/// What is likeliest meant comes first: not the block's own connectors, then those that nothing is connected to yet,
+/// then the nearest.
+void sortByLikelihood(std::vector<std::pair<std::string, QPointF>>& connectors, const std::string& from,
+                      const Diagram& diagram) {
+    std::set<std::string> taken;
+    for (const Wire& wire : diagram.wires) taken.insert({wire.from, wire.to});
+    const std::string own = instanceOf(from);
+    QPointF at;
+    for (const auto& [name, place] : connectors)
+        if (name == from) at = place;
+    const auto rank = [&](const std::pair<std::string, QPointF>& connector) {
+        const QPointF away = connector.second - at;
+        return std::tuple(instanceOf(connector.first) == own, taken.contains(connector.first),
+                          std::hypot(away.x(), away.y()));
+    };
+    std::stable_sort(connectors.begin(), connectors.end(),
+                     [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+}
 
 }  // namespace
 
@@ -265,8 +287,9 @@ void ComposeActions::startWire() {
 
 void ComposeActions::chooseEnd(const QString& from) {
     std::vector<Choice> choices;
-    QString why;
-    for (const auto& [name, at] : scene_.connectors()) {
+    std::vector<std::pair<std::string, QPointF>> connectors = scene_.connectors();
+    sortByLikelihood(connectors, from.toStdString(), scene_.diagram());
+    for (const auto& [name, at] : connectors) {
         const QString refusal = composer_->refusal(from.toStdString(), name);
         if (refusal.isEmpty()) choices.push_back({qString(name), {}, qString(name), {}});
     }

@@ -228,14 +228,8 @@ void MainWindow::connectPanels() {
     });
     connect(plots_, &PlotPanel::told, this, [this](const QString& s) { statusBar()->showMessage(s, 8000); });
     connect(compose_, &ComposeActions::told, this, [this](const QString& s) { statusBar()->showMessage(s, 8000); });
-    connect(compose_, &ComposeActions::inspectWanted, this, [this](const QString& block) {
-        parameters_->showComponent(wholeName(block));
-        parameterDock_->show();
-        parameterDock_->raise();
-        parameters_->table()->setFocus();
-        if (parameters_->model()->rowCount() > 0)
-            parameters_->table()->setCurrentIndex(parameters_->model()->index(0, ParameterModel::Value));
-    });
+    connect(compose_, &ComposeActions::pictureWanted, this, &MainWindow::askForPicture);
+    connect(compose_, &ComposeActions::inspectWanted, this, &MainWindow::inspect);
     connect(controller_, &RunController::runningChanged, this, [this] {
         if (controller_->isRunning()) {
             statusBar()->clearMessage();

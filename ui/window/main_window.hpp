@@ -116,6 +116,7 @@ private:
     void showMention(const Mention& mention);
     void findInStudy();
     void showEntry(const StudyEntry& entry);
+    void inspect(const QString& block);
     void askForStudy(bool isDirectory);
     void askForPicture();
     void askForRecordings();

@@ -1,5 +1,6 @@
 #include <QDockWidget>
 #include <QLineEdit>
+#include <QTableView>
 #include <QTreeView>
 #include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
@@ -9,10 +10,13 @@
 #include "ui/effect/result_panel.hpp"
 #include "ui/find/find_dialog.hpp"
 #include "ui/fit/fit_panel.hpp"
+#include "ui/inspector/parameter_model.hpp"
+#include "ui/inspector/parameter_panel.hpp"
+#include "ui/library/library_panel.hpp"
 #include "ui/signals/signal_browser.hpp"
 #include "ui/window/main_window.hpp"
 
-/// From what was found in the study to its place.
+/// From what was found in the study, or chosen in its diagram, to its place.
 namespace analogon::ui {
 
 namespace {
@@ -62,6 +66,20 @@ void MainWindow::findInStudy() {
     connect(dialog, &FindDialog::chosen, this, &MainWindow::showEntry);
     dialog->show();
     dialog->field()->setFocus(Qt::ShortcutFocusReason);
+}
+
+/// The parameters of a block; what a block without any is, the library tells.
+void MainWindow::inspect(const QString& block) {
+    parameters_->showComponent(wholeName(block));
+    if (!parameters_->model()->isOfComponent()) {
+        const Block* found = document_->diagram().find(block.toStdString());
+        if (!found || !library_->read(QString::fromStdString(found->className))) return;
+        return bringForward(libraryDock_);
+    }
+    bringForward(parameterDock_);
+    parameters_->table()->setFocus();
+    if (parameters_->model()->rowCount() > 0)
+        parameters_->table()->setCurrentIndex(parameters_->model()->index(0, ParameterModel::Value));
 }
 
 void MainWindow::showEntry(const StudyEntry& entry) {
