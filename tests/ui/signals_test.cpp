@@ -15,6 +15,7 @@
 #include "core/study/recorded.hpp"
 #include "tests/ui/panels_fixture.hpp"
 #include "tests/working_time.hpp"
+#include "ui/measurement/course_plot.hpp"
 #include "ui/plot/time_plot.hpp"
 #include "ui/signals/figure_chart.hpp"
 #include "ui/signals/plot_area.hpp"
@@ -227,6 +228,58 @@ TEST_F(Signals, ShareAnAxisWhereTheyAreDroppedAndOtherUnitsStandAtTheRight) {
     ASSERT_TRUE(drop(&plots(), {second}));
     ASSERT_EQ(plots().strips().size(), 2u);
     EXPECT_EQ(plots().strips()[1]->chart()->lines()[0].colour, lines[1].colour) << "one meaning, one colour";
+}
+
+TEST_F(Signals, OfOneMeaningHaveOneColourInEveryPlotBeforeAndAfterAFitAndInBothThemes) {
+    openAndWait();
+    const auto& [output, mapping] = *experiment().outputs.begin();
+    const QString name = QString::fromStdString(output);
+    const std::vector<SignalRef> shown{{SignalKind::Recorded, recording(), QString::fromStdString(mapping.column)},
+                                       {SignalKind::Variable, recording(), name},
+                                       {SignalKind::Residual, recording(), name}};
+    for (const SignalRef& one : shown) plots().show({one});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isShown(0) && isShown(1) && isShown(2); }, 20000));
+    const auto expectAlike = [&](TraceRole model) {
+        QTest::qWait(50);
+        const TraceRole roles[] = {TraceRole::Measured, model, model};
+        for (std::size_t i = 0; i < shown.size(); ++i)
+            EXPECT_EQ(plots().strips()[i]->chart()->lines()[0].colour, traceColour(roles[i], plots().palette()))
+                << "as among what was measured and simulated, " << i;
+    };
+    expectAlike(TraceRole::Before);
+    run(RunKind::Fit);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isShown(0) && isShown(1) && isShown(2); }, 20000));
+    expectAlike(TraceRole::After);
+    style::apply(*qApp, style::Theme::Dark);
+    expectAlike(TraceRole::After);
+    style::apply(*qApp, style::Theme::Light);
+    plots().strips()[0]->findChild<QToolButton*>("strip-close")->click();
+    plots().show({shown[0]});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isShown(2); }, 5000));
+    EXPECT_EQ(plots().strips()[2]->chart()->lines()[0].colour, style::measuredTrace(plots().palette()))
+        << "wherever it comes again";
+    // recordings that are compared with each other are none of the three
+    CoursePlot compared;
+    for (std::size_t line = 0; line < 6; ++line)
+        for (const TraceRole role : {TraceRole::Measured, TraceRole::Before, TraceRole::After})
+            EXPECT_NE(compared.colourOf(line), traceColour(role, compared.palette())) << line;
+    document().undoStack().setClean();
+}
+
+TEST_F(Signals, OfAResidualIsSeenAgainstAVariableOfTheModel) {
+    openAndWait();
+    const QString name = QString::fromStdString(experiment().outputs.begin()->first);
+    plots().show({{SignalKind::Variable, recording(), "element.solid.T"}, {SignalKind::Residual, recording(), name}});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isShown(0) && isShown(0, 1); }, 20000));
+    SignalStrip& strip = *plots().strips()[0];
+    strip.viewBox()->setFocus();
+    QTest::keyClick(strip.viewBox(), Qt::Key_Down);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return !strip.figure()->figure().curves.empty() && strip.figure()->figure().fault.isEmpty(); }, 5000));
+    EXPECT_TRUE(strip.figure()->figure().xLabel.contains("element.solid.T"))
+        << strip.figure()->figure().xLabel.toStdString();
+    EXPECT_GT(strip.figure()->figure().curves[0].points.size(), 100);
+    document().undoStack().setClean();
 }
 
 TEST_F(Signals, HaveFiguresBetweenTwoCursorsAndLinkedTimes) {

@@ -2,7 +2,6 @@
 
 #include <QPainter>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "ui/measurement/course_frame.hpp"
@@ -44,12 +43,8 @@ void CoursePlot::setMarked(std::size_t line) {
     update();
 }
 
-QColor CoursePlot::colourOf(std::size_t line) const {
-    const std::array<QColor, 5> colours{style::measuredTrace(palette()), style::beforeTrace(palette()),
-                                        style::afterTrace(palette()), style::caution(palette()),
-                                        style::good(palette())};
-    return colours[line % colours.size()];
-}
+/// Not those of what was measured and what the model says of it: here every line was measured.
+QColor CoursePlot::colourOf(std::size_t line) const { return style::signalTrace(static_cast<int>(line), palette()); }
 
 /// The range of each column of pixels, joined: a line that leaves out no peak.
 void CoursePlot::paintLine(QPainter& painter, const Line& line, const QRectF& frame) const {

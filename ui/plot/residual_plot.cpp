@@ -106,6 +106,13 @@ std::vector<NamedSeries> variablesOf(const Study& study, const std::string& expe
     return result;
 }
 
+double ResidualFacts::correlationReach() const {
+    constexpr double boundsSeen = 3, room = 1.1;
+    double most = boundsSeen * correlationBound();
+    for (std::size_t k = 1; k < correlation.size(); ++k) most = std::max(most, room * std::abs(correlation[k]));
+    return std::min(1.0, most);
+}
+
 class ResidualPlot::Canvas : public QWidget {
 public:
     explicit Canvas(ResidualPlot& plot) : QWidget(&plot), plot_(plot) { setMinimumHeight(130); }
@@ -183,19 +190,21 @@ private:
 
     void paintCorrelation(QPainter& painter, const QRectF& area) const {
         const auto& c = plot_.facts_.correlation;
+        const double reach = plot_.facts_.correlationReach(), bound = plot_.facts_.correlationBound();
         paintFrame(painter, area, ResidualPlot::tr("Autocorrelation"), plot_.axisLabels().correlation,
-                   {0, static_cast<double>(c.size()) - 1}, {-1, 1}, true);
+                   {1, std::max(1.0, static_cast<double>(c.size()) - 1)}, {-reach, reach}, true);
         if (c.size() < 2) return;
-        const auto y = [&](double v) { return area.center().y() - v * area.height() / 2; };
-        const double bound = 1.96 / std::sqrt(static_cast<double>(plot_.facts_.count));
+        const auto y = [&](double v) {
+            return area.center().y() - std::clamp(v / reach, -1.0, 1.0) * area.height() / 2;
+        };
         QColor band = style::good(palette());
         band.setAlphaF(style::isDark(palette()) ? 0.4f : 0.22f);
         painter.fillRect(QRectF(QPointF(area.left(), y(bound)), QPointF(area.right(), y(-bound))), band);
         painter.setPen(QPen(style::accent(palette()), 1.6));
-        for (std::size_t k = 0; k < c.size(); ++k) {
+        for (std::size_t k = 1; k < c.size(); ++k) {
             const double x =
-                area.left() + (static_cast<double>(k) + 0.5) / static_cast<double>(c.size()) * area.width();
-            painter.drawLine(QPointF(x, y(0)), QPointF(x, y(std::clamp(c[k], -1.0, 1.0))));
+                area.left() + (static_cast<double>(k) - 0.5) / static_cast<double>(c.size() - 1) * area.width();
+            painter.drawLine(QPointF(x, y(0)), QPointF(x, y(c[k])));
         }
     }
 

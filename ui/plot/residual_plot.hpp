@@ -2,6 +2,7 @@
 
 #include <QString>
 #include <QWidget>
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -41,6 +42,10 @@ struct ResidualFacts {
     std::vector<double> sampled;      // every so many-th, for the scatter
     std::vector<Variable> against;
 
+    /// Of white noise, 95 % of the correlations lie within.
+    double correlationBound() const { return count > 0 ? 1.96 / std::sqrt(static_cast<double>(count)) : 1; }
+    /// How far the axis of the correlations goes: the bound is seen on it, whatever lag 0 is (which always is 1).
+    double correlationReach() const;
     double reach() const { return range.isEmpty() ? 1 : std::max({std::abs(range.low), std::abs(range.high), 1e-300}); }
 };
 ResidualFacts residualFacts(const std::vector<double>& residual, const std::vector<NamedSeries>& against);

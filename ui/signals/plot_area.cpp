@@ -159,7 +159,8 @@ QColor PlotArea::colourOf(const SignalRef& reference, const std::set<QString>& t
             const bool isOf = QString::fromStdString(e.name) == reference.recording;
             if (reference.kind == SignalKind::Recorded && isOf && mapping.column == name)
                 known = style::measuredTrace(palette());
-            if (reference.kind == SignalKind::Variable && output == name)
+            const bool isResidual = reference.kind == SignalKind::Residual && isOf;
+            if ((reference.kind == SignalKind::Variable || isResidual) && output == name)
                 known = document_.after() ? style::afterTrace(palette()) : style::beforeTrace(palette());
         }
     if (known && !taken.contains(known->name())) return *known;
