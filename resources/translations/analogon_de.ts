@@ -15480,4 +15480,71 @@ Bitte den Namen prüfen.</translation>
         <translation>Berechnen</translation>
     </message>
 </context>
+<context>
+    <name>LibraryPackage</name>
+    <message>
+        <source>Interfaces</source>
+        <translation>Anschlüsse</translation>
+    </message>
+    <message>
+        <source>Mechanics</source>
+        <translation>Drehende Mechanik</translation>
+    </message>
+    <message>
+        <source>Translation</source>
+        <translation>Geradlinige Mechanik</translation>
+    </message>
+    <message>
+        <source>ElectricMechanical</source>
+        <translation>Elektrisch-mechanisch</translation>
+    </message>
+    <message>
+        <source>ElectricThermal</source>
+        <translation>Elektrisch-thermisch</translation>
+    </message>
+    <message>
+        <source>ThermalFluid</source>
+        <translation>Thermisch-fluidisch</translation>
+    </message>
+    <message>
+        <source>MechanicThermal</source>
+        <translation>Mechanisch-thermisch</translation>
+    </message>
+    <message>
+        <source>Thermal</source>
+        <translation>Wärme</translation>
+    </message>
+    <message>
+        <source>Electric</source>
+        <translation>Elektrik</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>Quellen</translation>
+    </message>
+    <message>
+        <source>Sensors</source>
+        <translation>Sensoren</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Tabellen</translation>
+    </message>
+    <message>
+        <source>Effects</source>
+        <translation>Effekte</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Messkanäle</translation>
+    </message>
+    <message>
+        <source>Actuator</source>
+        <translation>Eingangskanäle</translation>
+    </message>
+</context>
 </TS>

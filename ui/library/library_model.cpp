@@ -1,6 +1,7 @@
 #include "ui/library/library_model.hpp"
 
 #include <QApplication>
+#include <QCoreApplication>
 #include <QPainter>
 #include <QPalette>
 #include <functional>
@@ -136,8 +137,11 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid()) return {};
     const Node& node = nodeOf(index);
     switch (role) {
-        case Qt::DisplayRole:
-            return QString::fromStdString(node.name);
+        case Qt::DisplayRole:  // a block goes by its name in the model's text, a package only by what is in it
+            return node.isPackage ? QCoreApplication::translate("LibraryPackage", node.name.c_str())
+                                  : QString::fromStdString(node.name);
+        case AboutRole:
+            return node.isPackage ? QString() : libraryText(node.description);
         case Qt::ToolTipRole:
             return node.description.empty() ? QString::fromStdString(node.className) : libraryText(node.description);
         case Qt::DecorationRole: {

@@ -17,6 +17,7 @@ public:
     enum Role {
         ClassNameRole = Qt::UserRole,
         IsPackageRole,
+        AboutRole,  // what a block is, in the window's language
         SearchRole  // all by which it is found: its name and its description, in English and in the window's language
     };
 

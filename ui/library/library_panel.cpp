@@ -11,6 +11,7 @@
 
 #include "core/diagram/diagram.hpp"
 #include "ui/document/document.hpp"
+#include "ui/library/library_delegate.hpp"
 #include "ui/library/library_model.hpp"
 #include "ui/library/search_words.hpp"
 #include "ui/style/find_key.hpp"
@@ -60,6 +61,7 @@ LibraryPanel::LibraryPanel(Document& document, QWidget* parent)
     tree_->setIndentation(4 * style::unit);
     tree_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     tree_->setAccessibleName(tr("Library"));
+    tree_->setItemDelegate(new LibraryDelegate(tree_));
     tree_->viewport()->installEventFilter(this);
     tree_->installEventFilter(this);
     text_->setFrameShape(QFrame::NoFrame);
