@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QPointer>
 #include <QPushButton>
+#include <QSettings>
 #include <QStatusBar>
 #include <QTextBrowser>
 #include <QTextDocument>
@@ -98,6 +99,55 @@ TEST_F(Report, IsWrittenWithItsHeadLogoAndTheSectionsThatWereChosen) {
     EXPECT_TRUE(QFileInfo::exists(directory.filePath("report/study/mark.png")));
     EXPECT_FALSE(textOf("report/study/study.json").contains(directory.path())) << "no path of this machine";
     EXPECT_GT(QFileInfo(directory.filePath("report/report.pdf")).size(), 5000);
+}
+
+TEST_F(Report, IsProposedInADirectoryThatIsCalledByTheTitleOfItsHead) {
+    openLambda();
+    run(RunKind::Fit);
+    ReportDialog* dialog = openDialog("report");
+    QTest::keyClicks(dialog->titleField(), "Probe 7/2");
+    QTest::mouseClick(dialog->writeButton(), Qt::LeftButton);
+    auto* place = window.findChild<ReportFolderDialog*>();
+    ASSERT_TRUE(place);
+    EXPECT_EQ(place->findChild<QLineEdit*>("fileNameEdit")->text(), "Probe 7-2 report");
+    document().undoStack().setClean();
+}
+
+TEST_F(Report, OfAnotherStudyIsNotReplacedByWhoOnlyConfirms) {
+    QSettings().setValue("window/folder", directory.path());
+    MainWindow again;
+    again.resize(1440, 900);
+    again.show();
+    QStringList proposed;
+    for (const char* study : {"one", "two"}) {
+        again.document().open(lambdaFile(study));
+        ASSERT_TRUE(
+            QTest::qWaitFor([&] { return !again.document().isReading() && again.document().title() == study; }, 20000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return again.document().before() != nullptr; }, 20000));
+        for (int write = 0; write < 2; ++write) {
+            again.controller().start(RunKind::Fit);
+            ASSERT_TRUE(QTest::qWaitFor([&] { return !again.controller().isRunning(); }, 60000));
+            QTest::qWait(50);
+            again.findChild<QAction*>("report")->trigger();
+            auto* head = again.findChild<ReportDialog*>();
+            ASSERT_TRUE(head);
+            head->titleField()->setText("the same");
+            QTest::mouseClick(head->writeButton(), Qt::LeftButton);
+            QPointer<ReportFolderDialog> place = again.findChild<ReportFolderDialog*>();
+            ASSERT_TRUE(place);
+            auto* name = place->findChild<QLineEdit*>("fileNameEdit");
+            proposed << name->text();
+            again.statusBar()->clearMessage();
+            QTest::keyClick(name, Qt::Key_Return);
+            ASSERT_TRUE(
+                QTest::qWaitFor([&] { return again.statusBar()->currentMessage().contains("report.html"); }, 30000));
+            ASSERT_TRUE(QTest::qWaitFor([&] { return place.isNull() && !again.findChild<ReportDialog*>(); }, 5000));
+        }
+        again.document().undoStack().setClean();
+    }
+    EXPECT_EQ(proposed, (QStringList{"the same report", "the same report", "the same report 2", "the same report 2"}))
+        << "the one before of the same study is replaced, that of another is not";
+    QSettings().remove("window/folder");
 }
 
 TEST_F(Report, GoesIntoADirectoryThatIsNamedAndNeedNotBeThere) {

@@ -127,7 +127,9 @@ QString ParameterModel::boundText(const Row& row) const {
     if (!row.estimate || !row.estimate->atBound) return {};
     const StudyParameter s = settingOf(row);
     const double v = row.estimate->value;
-    const bool isMin = s.min && (!s.max || std::abs(v - *s.min) <= std::abs(v - *s.max));
+    // where one is not set it is declared, or the search's own: the value it began at lies between them
+    const bool isMin =
+        s.min && s.max ? std::abs(v - *s.min) <= std::abs(v - *s.max) : v < row.value.value_or(s.min ? v + 1 : v);
     return isMin ? tr("at min") : tr("at max");
 }
 
