@@ -11,6 +11,7 @@
 #include "core/base/number_text.hpp"
 #include "core/fit/clock.hpp"
 #include "ui/document/mention.hpp"
+#include "ui/inspector/default_bounds.hpp"
 #include "ui/inspector/prior_text.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
@@ -424,6 +425,8 @@ bool ParameterModel::setData(const QModelIndex& index, const QVariant& value, in
     if (role == Qt::CheckStateRole && index.column() == Name) {
         StudyParameter setting = settingOf(row);
         setting.fit = value.toInt() == Qt::Checked;
+        for (const ParameterFact& fact : document_.facts().parameters)
+            if (setting.fit && fact.name == row.name && row.value) giveDefaultBounds(setting, fact, *row.value);
         const QString name = QString::fromStdString(row.name);
         document_.setStudyParameter(row.name, setting, setting.fit ? tr("Fit %1").arg(name) : tr("Fix %1").arg(name));
         return true;
