@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QDockWidget>
 #include <QHeaderView>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSettings>
 #include <QToolButton>
@@ -118,6 +119,35 @@ TEST_F(Arrangements, WhatWasTriedIsFilteredAndGrouped) {
     EXPECT_EQ(grouped, all);
     QTest::mouseClick(results->roundBox(), Qt::LeftButton, {}, QPoint(8, results->roundBox()->height() / 2));
     EXPECT_EQ(list->topLevelItemCount(), all);
+}
+
+TEST_F(Arrangements, NamesOfWhatWasTriedHaveRoomInASmallWindow) {
+    openLambda();
+    document().setResult(RunKind::Discover,
+                         sampleFinding(document(), "thermal.radiation", "Analogon.Effects.Thermal.Radiation",
+                                       "Heat radiation to constant surroundings", "element.solid", "port", "epsilon"),
+                         document().study());
+    auto* results = panel<ResultPanel>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return results->candidates() != nullptr; }, 5000));
+    const auto shownFigures = [&] {
+        return !results->candidates()->isColumnHidden(2) + !results->candidates()->isColumnHidden(3);
+    };
+    window.resize(1900, 900);
+    QTest::qWait(50);
+    EXPECT_EQ(shownFigures(), 2);
+    window.resize(1024, 700);
+    QTest::keyClick(&window, Qt::Key_F9);
+    QTest::qWait(50);
+    QTreeWidget* list = results->candidates();
+    EXPECT_GE(list->columnWidth(0), 12 * list->fontMetrics().averageCharWidth()) << "and not a syllable a line";
+    EXPECT_GE(list->columnWidth(1), 12 * list->fontMetrics().averageCharWidth());
+    EXPECT_FALSE(list->isColumnHidden(4)) << "the verdict stays";
+    for (const QLabel* label : results->findChildren<QLabel*>())
+        if (label->isVisible() && !label->text().isEmpty()) {
+            EXPECT_GE(label->height(), label->heightForWidth(label->width())) << label->text().toStdString();
+        }
+    QTest::keyClick(&window, Qt::Key_F9);
+    document().undoStack().setClean();
 }
 
 TEST_F(Arrangements, WhatWasTriedIsSortedByItsColumns) {

@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPlainTextEdit>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
@@ -107,6 +108,20 @@ TEST_F(Find, PaletteKnowsOtherWordsAndSaysWhenNothingIsFound) {
     chooser.field()->setText("masse");
     QTest::keyClick(chooser.field(), Qt::Key_Return);
     EXPECT_EQ(taken, "I");
+}
+
+TEST(FindBarInANarrowText, HasItsCountBesideTheField) {
+    QPlainTextEdit text;
+    FindBar bar(text);
+    text.resize(320, 200);
+    text.show();
+    text.setPlainText("heater heater");
+    bar.open();
+    bar.field()->setText("heater");
+    QTest::qWait(20);
+    EXPECT_LE(bar.geometry().right(), text.width());
+    EXPECT_GT(bar.count()->geometry().left(), bar.field()->geometry().right());
+    EXPECT_GE(bar.count()->width(), bar.count()->fontMetrics().horizontalAdvance(bar.count()->text()));
 }
 
 TEST_F(Find, FindsInTheModelTextAndLeavesItAsItIs) {

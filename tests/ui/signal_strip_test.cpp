@@ -4,8 +4,11 @@
 
 #include <QCoreApplication>
 #include <QLabel>
+#include <QTest>
+#include <QTextBlock>
 #include <QTextDocument>
 #include <QTextDocumentFragment>
+#include <QTextLayout>
 #include <QTextOption>
 #include <QToolButton>
 
@@ -32,6 +35,50 @@ TEST(SignalStrip, KeepsItsButtonsInANarrowPanelInEachLanguage) {
         EXPECT_LE(close->geometry().right(), strip.width()) << language.toStdString();
         QCoreApplication::removeTranslator(&translator);
     }
+}
+
+/// With figures between two cursors in German, whose words are the longest.
+TEST(SignalStrip, CutsNoFigureOfALegendInANarrowPanel) {
+    Translator german;
+    ASSERT_TRUE(german.loadLanguage("de"));
+    QCoreApplication::installTranslator(&german);
+    {
+        SignalStrip strip;
+        std::vector<double> time(100), values(100);
+        for (std::size_t i = 0; i < time.size(); ++i) {
+            time[i] = static_cast<double>(i);
+            values[i] = 291.15 + 1e-2 * static_cast<double>(i * i);
+        }
+        ChartLine line;
+        line.reference = {SignalKind::Recorded, "a", "T_exhaust"};
+        line.data = std::make_shared<const SignalData>(
+            SignalData{std::make_shared<const std::vector<double>>(time), Series(values), "degC", {}});
+        strip.setLines({line, line}, false);
+        strip.setMarks({10, 70});
+        strip.resize(380, 260);
+        strip.show();
+        QTest::qWait(20);
+        int legends = 0;
+        for (const QLabel* legend : strip.findChildren<QLabel*>()) {
+            if (!legend->text().contains("▬")) continue;
+            ++legends;
+            QTextDocument document;
+            document.setDocumentMargin(0);
+            document.setDefaultFont(legend->font());
+            document.setHtml(legend->text());
+            document.setTextWidth(legend->contentsRect().width());
+            EXPECT_LE(document.idealWidth(), legend->contentsRect().width()) << "no line is wider than the legend";
+            EXPECT_GE(legend->height(), static_cast<int>(document.size().height()));
+            for (QTextBlock block = document.begin(); block.isValid(); block = block.next())
+                for (int i = 0; i < block.layout()->lineCount(); ++i) {
+                    const QTextLine shown = block.layout()->lineAt(i);
+                    const QChar first = block.text().at(shown.textStart());
+                    EXPECT_FALSE(first.isSpace()) << "each line begins at the left";
+                }
+        }
+        EXPECT_EQ(legends, 1);
+    }
+    QCoreApplication::removeTranslator(&german);
 }
 
 /// What a legend says, in a picture of it: each letter is drawn within it.

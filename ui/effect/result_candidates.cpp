@@ -6,6 +6,7 @@
 #include <QSignalBlocker>
 #include <QTimer>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -175,6 +176,23 @@ void ResultPanel::groupCandidates() {
     filterCandidates();
 }
 
+/// Where the panel is narrow the names of effects and places come before the figures of their trials, of which the
+/// better one stays longest.
+void ResultPanel::giveNamesRoom() {
+    const int least = 13 * candidates_->fontMetrics().averageCharWidth();
+    const auto widthOf = [this](int column) {
+        const auto* view = static_cast<const QAbstractItemView*>(candidates_);
+        return std::max(view->sizeHintForColumn(column), candidates_->header()->sectionSizeHint(column));
+    };
+    int figures = 0;
+    for (const int c : {Screening, DeltaBic, Judgement, Trial}) figures += widthOf(c);
+    for (const int c : {Screening, DeltaBic}) {
+        const bool isTooNarrow = (candidates_->viewport()->width() - figures) / 2 < least;
+        if (isTooNarrow) figures -= widthOf(c);
+        candidates_->setColumnHidden(c, isTooNarrow);
+    }
+}
+
 /// Rows in which each word is found; headings of rounds that have none left go as well.
 void ResultPanel::filterCandidates() {
     const QStringList words = sought_.split(u' ', Qt::SkipEmptyParts);
@@ -225,6 +243,7 @@ void ResultPanel::addCandidates(const Finding& finding) {
         header->setSectionResizeMode(c, QHeaderView::Stretch);
         style::wrapColumn(candidates_, c);  // the ends of two names may be all that tells them apart
     }
+    candidates_->setIndentation(3 * style::unit);
     header->setSectionsClickable(true);
     header->setToolTip(tr("Click to sort; a third click brings back the order in which they were tried"));
     connect(header, &QHeaderView::sectionClicked, this, &ResultPanel::sortBy);

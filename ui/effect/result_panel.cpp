@@ -93,6 +93,7 @@ void ResultPanel::lookAt(const QTreeWidgetItem* candidate) {
 bool ResultPanel::eventFilter(QObject* watched, QEvent* event) {
     if (candidates_ && watched == candidates_->viewport() && event->type() == QEvent::Leave)
         lookAt(candidates_->currentItem());
+    if (candidates_ && watched == candidates_->viewport() && event->type() == QEvent::Resize) giveNamesRoom();
     return QScrollArea::eventFilter(watched, event);
 }
 
@@ -220,6 +221,7 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
             auto* why = new QLabel(meaning, body_);
             why->setToolTip(tip);
             why->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // the numbers come first
+            why->setWordWrap(true);
             style::makeCaption(why);
             grid->addWidget(why, row, 2);
         }

@@ -76,6 +76,7 @@ private:
     void groupCandidates();
     void sortBy(int column);
     void filterCandidates();
+    void giveNamesRoom();
     void tryCandidate(const QTreeWidgetItem* item);
     void addButton(QPushButton* button);
     QLabel* addText(const QString& text, bool isCaption = false);

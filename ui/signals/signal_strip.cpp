@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QStackedLayout>
 #include <QTextDocumentFragment>
@@ -151,10 +152,11 @@ void SignalStrip::writeLegend() {
                         .arg(muted.name(), breakable(line.reference.recording));
         const bool isFault = line.data && !line.data->time;
         QString figures = figuresOf(line).toHtmlEscaped();
-        if (!isFault) figures.replace(" ", "&nbsp;").replace(",&nbsp;", ", ");  // a number stays with its word
+        static const QRegularExpression unitBehind("(\\d) ");  // a number stays with its unit
+        if (!isFault) figures.replace(unitBehind, "\\1&nbsp;");
         text += QStringLiteral(
                     "<span style='color:%1'>▬</span>&nbsp;%2 <span style='color:%3'>%4</span>&nbsp;"
-                    "<a href='%5' style='color:%6;text-decoration:none'>×</a> &nbsp; ")
+                    "<a href='%5' style='color:%6;text-decoration:none'>×</a>&#8195;")
                     .arg(line.colour.name(), name, (isFault ? style::fault(palette()) : muted).name(), figures,
                          QString::number(i), muted.name());
     }

@@ -27,7 +27,7 @@ FindBar::FindBar(QPlainTextEdit& text)
     field_->setPlaceholderText(tr("Find in the text"));
     field_->setAccessibleName(tr("Find in the text"));
     field_->setClearButtonEnabled(true);
-    field_->setMinimumWidth(45 * style::unit);
+    field_->setMinimumWidth(20 * style::unit);  // beside the count, in a text that is narrow, too
     field_->installEventFilter(this);
     style::makeCaption(count_);
     count_->setMinimumWidth(count_->fontMetrics().horizontalAdvance(tr("not found")) + 2 * style::unit);
