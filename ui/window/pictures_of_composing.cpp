@@ -1,7 +1,9 @@
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMouseEvent>
+#include <QPixmap>
 #include <QTabWidget>
 #include <QTreeView>
 
@@ -9,6 +11,7 @@
 #include "ui/document/composer.hpp"
 #include "ui/document/document.hpp"
 #include "ui/library/library_panel.hpp"
+#include "ui/style/style.hpp"
 #include "ui/text/find_bar.hpp"
 #include "ui/text/text_view.hpp"
 #include "ui/window/album.hpp"
@@ -36,6 +39,21 @@ bool takeSmall(Album& album, const QString& example) {
     return true;
 }
 
+/// A text and a picture that the model has in its diagram.
+void takeNotes(Album& album, MainWindow& window) {
+    Composer& composer = window.compose().composer();
+    composer.addText("LSU 4.9, 13 V, 400 °C");
+    const QPixmap photo = style::icon("example-lambda-sensor-heating").pixmap(256, 256);
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    photo.save(&buffer, "png");
+    composer.addPicture(bytes, photo.size());
+    window.findChild<DiagramView*>()->fitView();
+    goOnFor();
+    album.take(window, "22-text-and-picture");
+}
+
 /// A block of the library with what it is for, and a wire on its way to a connector that does not fit.
 bool takeComposing(Album& album, const QString& example) {
     MainWindow window;
@@ -61,6 +79,7 @@ bool takeComposing(Album& album, const QString& example) {
     goOnFor();
     album.take(window, "17-a-wire-is-refused");
     send(QEvent::MouseButtonRelease, {-140, -100}, Qt::NoButton);
+    takeNotes(album, window);
     document.undoStack().setClean();
     return true;
 }
