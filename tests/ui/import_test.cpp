@@ -2,6 +2,7 @@
 #include <quazip/quazipfile.h>
 
 #include <QComboBox>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -75,6 +76,34 @@ TEST_F(Import, AsksWhatAMarkStandsForAndKeepsTheAnswer) {
     const auto table = fileTable(document().study().tables, taken);
     ASSERT_TRUE(table);
     EXPECT_EQ(table->find("n")->values.front(), 1234);
+}
+
+TEST_F(Import, SaysOnThePageThatTheTimeGoesBack) {
+    openLambda();
+    window.open(write("back.csv", "t [s],u [V]\n0,1\n1,2\n0.5,3\n2,4\n"));
+    ASSERT_TRUE(asks()) << "what it may mean";
+    EXPECT_FALSE(import()->acceptButton()->isEnabled() && import()->problems().contains("nothing is wrong"));
+}
+
+TEST_F(Import, TakesSeveralFilesThatAreTypedOneAfterTheOther) {
+    openLambda();
+    const QString one = write("one.csv", "t [s],u_heater [V]\n0,1\n1,2\n2,1\n"),
+                  two = write("two.csv", "t [s],u_heater [V]\n0,3\n1,4\n2,3\n");
+    const std::size_t before = document().study().experiments.size();
+    QTest::keyClick(&window, Qt::Key_I, Qt::ControlModifier);
+    auto* dialog = window.findChild<QFileDialog*>("import-dialog");
+    ASSERT_TRUE(dialog);
+    auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return name->hasFocus(); }, 5000));
+    QTest::keyClicks(name, '"' + one + "\" \"" + two + '"');
+    QTest::keyClick(name, Qt::Key_Return);
+    for (int file = 0; file < 2; ++file) {
+        ASSERT_TRUE(isReady()) << "the page of file " << file;
+        QTest::mouseClick(import()->acceptButton(), Qt::LeftButton);
+        QTest::qWait(50);
+    }
+    EXPECT_EQ(document().study().experiments.size(), before + 2);
+    document().undoStack().setClean();
 }
 
 TEST_F(Import, IsWholeInANarrowWindow) {

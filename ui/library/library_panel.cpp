@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "core/diagram/diagram.hpp"
+#include "core/library/library.hpp"
 #include "ui/document/document.hpp"
 #include "ui/library/library_delegate.hpp"
 #include "ui/library/library_model.hpp"
@@ -115,7 +116,12 @@ LibraryPanel::LibraryPanel(Document& document, QWidget* parent)
 }
 
 void LibraryPanel::refresh() {
-    if (document_.library().classes().empty()) return;  // a text with a fault: the last one still serves
+    if (document_.library().classes().empty()) {  // a text with a fault: the last one still serves
+        if (model_->rowCount() > 0 || !document_.isOpen()) return;
+        if (const Outcome<Library> shipped = builtInLibrary())
+            model_->setLibrary(*shipped, document_.study().className);
+        return sayNothing();
+    }
     model_->setLibrary(document_.library(), document_.study().className);
     sayNothing();
 }
