@@ -200,9 +200,10 @@ std::string pictureFile(std::string name, const Span& span) {
     constexpr std::string_view scheme = "modelica://";
     if (name.empty() || !span.source) return {};
     std::error_code none;
-    fs::path root = fs::path(span.source->name()).parent_path();
+    fs::path root = fs::absolute(span.source->name(), none).lexically_normal().parent_path();
     if (name.starts_with(scheme)) {
-        while (fs::exists(root.parent_path() / "package.mo", none)) root = root.parent_path();
+        while (root.has_relative_path() && fs::exists(root.parent_path() / "package.mo", none))
+            root = root.parent_path();
         const auto end = name.find('/', scheme.size());
         if (end == std::string::npos) return {};
         name = name.substr(end + 1);

@@ -116,7 +116,7 @@ void place(Recording& recording, int index, const std::vector<InputEdge>& edges)
         origin.emplace_back(k, 0.0);
         const auto here = bySample.find(k);
         if (here == bySample.end()) continue;
-        const double width = from.time[static_cast<std::size_t>(k + 1)] - from.time[static_cast<std::size_t>(k)];
+        const double width = from.time[static_cast<std::size_t>(k) + 1] - from.time[static_cast<std::size_t>(k)];
         for (const double at : momentsOf(here->second)) {
             time.push_back(from.time[static_cast<std::size_t>(k)] + at * width);
             Eigen::VectorXd& then = inputs.emplace_back((1 - at) * from.inputs.col(k) + at * from.inputs.col(k + 1));

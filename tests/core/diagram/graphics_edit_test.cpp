@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
+#include "core/diagram/annotation.hpp"
 #include "core/syntax/parser.hpp"
 
 namespace analogon {
@@ -87,6 +91,30 @@ TEST(GraphicsEdit, SaysWhatIsNotThereAnyMore) {
     EXPECT_THAT(after(drawn, removeGraphic(drawn.definition(), 3, "")), HasSubstr("no such text or picture"));
     const Written alias{"model M = N;\n"};
     EXPECT_THAT(after(alias, addGraphic(alias.definition(), record, "")), HasSubstr("no place for a text"));
+}
+
+/// The directory in which a test works, and back.
+struct InDirectory {
+    std::filesystem::path before = std::filesystem::current_path();
+
+    explicit InDirectory(const std::filesystem::path& directory) {
+        std::filesystem::create_directories(directory);
+        std::filesystem::current_path(directory);
+    }
+    ~InDirectory() { std::filesystem::current_path(before); }
+};
+
+TEST(OwnGraphics, APictureOfAPackageIsFoundFromATextWithoutADirectory) {
+    const auto place = std::filesystem::temp_directory_path() / "analogon-picture-of-a-package";
+    const InDirectory there(place / "Bench");
+    std::ofstream(place / "Bench" / "package.mo") << "package Bench end Bench;";
+    const Written model{
+        "model M\n  annotation (Diagram(graphics={Bitmap(extent={{0,0},{9,9}}, "
+        "fileName=\"modelica://Bench/Pictures/pump.png\")}));\nend M;\n"};
+    const std::vector<OwnGraphic> own = ownGraphics(model.definition());
+    ASSERT_EQ(own.size(), 1u);
+    EXPECT_EQ(annotation::pictureFile(own[0].primitive), (place / "Bench" / "Pictures" / "pump.png").string());
+    std::filesystem::remove_all(place);
 }
 
 }  // namespace
