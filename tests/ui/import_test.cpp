@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSettings>
 #include <QTableWidget>
 #include <QTimer>
 #include <QToolButton>
@@ -104,6 +105,8 @@ TEST_F(Import, TakesSeveralFilesThatAreTypedOneAfterTheOther) {
     }
     EXPECT_EQ(document().study().experiments.size(), before + 2);
     document().undoStack().setClean();
+    QTest::qWait(100);
+    QSettings().remove("window/folder");  // of this test alone
 }
 
 TEST_F(Import, IsWholeInANarrowWindow) {

@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QLineEdit>
 #include <QPainter>
+#include <QSettings>
 
 #include "core/diagram/graphics_edit.hpp"
 #include "tests/ui/panels_fixture.hpp"
@@ -207,6 +208,7 @@ TEST_F(Notes, APictureIsAddedFromAFileAndGoesWithTheModel) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return again.document().isOpen() && again.document().before(); }, 20000));
     EXPECT_GT(pixelsOf(again.findChild<DiagramView*>()->grab().toImage(), QColor(200, 20, 20)), 500)
         << "without its file";
+    QSettings().remove("window/folder");  // of this test alone
 }
 
 TEST_F(Notes, AFileThatIsNoPictureIsToldAndChangesNothing) {

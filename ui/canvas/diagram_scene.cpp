@@ -202,7 +202,7 @@ void DiagramScene::selectNote(NoteItem& note) {
 
 /// Names stand where they cover least: on the side the icon asks for, else on the other, else beside the middle.
 void DiagramScene::placeLabels() {
-    std::vector<QRectF> taken, labels;
+    std::vector<QRectF> taken;
     for (const auto& [name, item] : blocks_) taken.push_back(item->body());
     constexpr std::size_t most = 120;  // beyond that nobody reads the names at once, and the search would be felt
     if (blocks_.size() <= most)
@@ -224,17 +224,12 @@ void DiagramScene::placeLabels() {
                     const QRectF shared = other & rect;
                     if (!shared.isEmpty()) cost += 15 + shared.width() * shared.height();
                 }
-                // names keep their size where the diagram is small, so that they may come to be twice as wide
-                const QRectF wide = rect.adjusted(-rect.width() / 2, 0, rect.width() / 2, 0);
-                for (const QRectF& other : labels)
-                    if (other.intersects(wide)) cost += 10;
                 if (cost >= bestCost) continue;
                 bestCost = cost;
                 best = {isAbove, side};
             }
         item->setLabelPlace(best);
         taken.push_back(item->labelRect(best));
-        labels.push_back(taken.back().adjusted(-taken.back().width() / 2, 0, taken.back().width() / 2, 0));
     }
 }
 
