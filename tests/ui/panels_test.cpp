@@ -1,4 +1,3 @@
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -1663,18 +1662,6 @@ TEST(Translation, GermanIsComplete) {
             EXPECT_TRUE(german.knows(text)) << text.toStdString();
 }
 
-/// [ms] that have passed for this thread: its work and what it waited for, without the time in which it was ready and
-/// other programs had the processor. Only this is what a stall is made of, however busy the machine is.
-double ownTime() {
-    static const int schedule = open("/proc/thread-self/schedstat", O_RDONLY);  // that of the screen, opened once
-    timespec passed{};
-    clock_gettime(CLOCK_MONOTONIC, &passed);
-    char text[128] = "";
-    double run = 0, queued = 0;  // [ns]
-    if (pread(schedule, text, sizeof text - 1, 0) > 0) std::sscanf(text, "%lf %lf", &run, &queued);
-    return 1e3 * static_cast<double>(passed.tv_sec) + 1e-6 * (static_cast<double>(passed.tv_nsec) - queued);
-}
-
 /// Random mouse and key events anywhere in the window: nothing crashes, nothing hangs. ANALOGON_EVENTS sets how many.
 TEST_F(Panels, SurvivesRandomEvents) {
     openLambda();
@@ -1737,7 +1724,7 @@ TEST_F(Panels, SurvivesRandomEvents) {
         const QString where = QStringLiteral("%1 %2").arg(target->metaObject()->className(), target->objectName());
         const auto kind = random() % 6;
         const Qt::Key key = kind > 3 ? keys[random() % std::size(keys)] : Qt::Key_unknown;
-        const double begin = ownTime();
+        const double begin = test::ownMilliseconds();
         switch (kind) {
             case 0:
                 QTest::mouseClick(target, Qt::LeftButton, modifiers, point());
@@ -1759,7 +1746,7 @@ TEST_F(Panels, SurvivesRandomEvents) {
                 QTest::keyClick(target, key, modifiers);
         }
         QCoreApplication::processEvents();
-        const double reaction = ownTime() - begin;
+        const double reaction = test::ownMilliseconds() - begin;
         longest = std::max(longest, reaction);
         if (reaction > 50) {
             ++felt;

@@ -76,7 +76,7 @@ public:
     void setEditorData(QWidget* editor, const QModelIndex& index) const override {
         if (auto* box = qobject_cast<QComboBox*>(editor))
             box->setCurrentText(index.data().toString());
-        else
+        else if (!style::isTypedInto(editor))
             QStyledItemDelegate::setEditorData(editor, index);
     }
 

@@ -65,7 +65,10 @@ public:
     }
     void setEditorData(QWidget* editor, const QModelIndex& index) const override {
         auto* box = qobject_cast<QComboBox*>(editor);
-        if (!box) return QStyledItemDelegate::setEditorData(editor, index);
+        if (!box) {
+            if (!style::isTypedInto(editor)) QStyledItemDelegate::setEditorData(editor, index);
+            return;
+        }
         if (box->isEditable()) return box->setCurrentText(index.data().toString());
         const QVariant column = index.data(columnRole);
         box->setCurrentIndex(

@@ -53,7 +53,7 @@ public:
     void setEditorData(QWidget* editor, const QModelIndex& index) const override {
         if (auto* box = qobject_cast<QComboBox*>(editor))
             box->setCurrentIndex(box->findData(index.data(Qt::EditRole)));
-        else
+        else if (!style::isTypedInto(editor))
             QStyledItemDelegate::setEditorData(editor, index);
     }
     void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override {

@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <QIconEngine>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPainter>
 #include <QPixmap>
 #include <QProgressBar>
@@ -619,6 +620,11 @@ void makeCaption(QWidget* label) {
     font.setPointSizeF(font.pointSizeF() * 0.9);
     label->setFont(font);
     label->setForegroundRole(QPalette::PlaceholderText);
+}
+
+bool isTypedInto(const QWidget* editor) {
+    const auto* line = qobject_cast<const QLineEdit*>(editor);
+    return line && line->isModified();
 }
 
 void makeQuiet(QProgressBar* bar) {

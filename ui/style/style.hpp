@@ -52,6 +52,9 @@ inline constexpr int margin = 3 * unit;
 /// What to do next, in the middle of a list while nothing is in it.
 void showWhenEmpty(QAbstractItemView* list, const QString& advice);
 
+/// Whether a user has typed into this editor of a cell: results that arrive meanwhile do not take that back.
+bool isTypedInto(const QWidget* editor);
+
 /// Texts of this column break into lines where the column is too narrow, and its rows are as high as they need.
 void wrapColumn(QTreeView* view, int column);
 
