@@ -137,8 +137,9 @@ TEST_F(Arrangements, NamesOfWhatWasTriedHaveRoomInASmallWindow) {
     EXPECT_EQ(shownFigures(), 2);
     window.resize(1024, 700);
     QTest::keyClick(&window, Qt::Key_F9);
-    QTest::qWait(50);
     QTreeWidget* list = results->candidates();
+    const auto hasRoom = [&] { return list->columnWidth(0) >= 12 * list->fontMetrics().averageCharWidth(); };
+    EXPECT_TRUE(QTest::qWaitFor(hasRoom, 2000)) << "and not a syllable a line";
     EXPECT_GE(list->columnWidth(0), 12 * list->fontMetrics().averageCharWidth()) << "and not a syllable a line";
     EXPECT_GE(list->columnWidth(1), 12 * list->fontMetrics().averageCharWidth());
     EXPECT_FALSE(list->isColumnHidden(4)) << "the verdict stays";
