@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/parallel.hpp"
 #include "core/fit/difference_slopes.hpp"
 #include "core/fit/normal_equations.hpp"
 #include "core/fit/rounding.hpp"
@@ -321,16 +322,16 @@ std::vector<GridPlan> Misfit::plansFor(const Eigen::VectorXd& values, double loo
     options.relativeTolerance *= looseness;
     options.isGlance = options.isGlance || looseness > 1.0;
     if (method != GridMethod::Auto) options.method = method;
-    std::vector<GridPlan> plans;
-    for (std::size_t e = 0; e < problem_.experiments.size(); ++e) {
-        const int experiment = static_cast<int>(e);
+    std::vector<GridPlan> plans(problem_.experiments.size());
+    parallelFor(static_cast<int>(plans.size()), options.reached ? 1 : threads_, [&](int experiment) {
+        const auto e = static_cast<std::size_t>(experiment);
         // steps that were chosen loosely hardly serve where they are to be exact
         const GridPlan* const known = problem_.knownPlan(experiment);
         const bool isLoose = plannedWith_ > looseness && known != nullptr;
         const GridPlan* const inForce = e < plans_.size() && !isLoose ? &plans_[e] : known;
-        plans.push_back(
-            planFor(problem_, experiment, values, options, progress_, method == GridMethod::Auto ? inForce : nullptr));
-    }
+        plans[e] =
+            planFor(problem_, experiment, values, options, progress_, method == GridMethod::Auto ? inForce : nullptr);
+    });
     return plans;
 }
 
