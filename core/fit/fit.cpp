@@ -178,7 +178,8 @@ std::optional<PartialDescent> descendOnPart(const FitProblem& problem, const Eig
     if (!part) return std::nullopt;
     for (std::size_t i = 0; i < problem.parameters.size(); ++i)
         part->problem.parameters[i].start = start[static_cast<Eigen::Index>(i)];
-    options.keepsOptimum = options.goesOnAtKinks = false;
+    options = options.besideOthers();
+    options.keepsOptimum = false;
     options.costTolerance = std::max(options.costTolerance, roughly);
     PartialDescent result{std::move(*part), {}};
     Descent& there = result.descent = descend(result.part.problem, start, options, progress, result.part.plans);

@@ -39,11 +39,9 @@ struct FitOptions {
         true};  // long records: least squares goes most of the way on a part (core/fit/partial_records.hpp)
     /// False: FitResult::optimum stays empty; the fit then needs no memory that grows with the record.
     bool keepsOptimum{true};
-    /// Where the misfit has kinks the fit goes on without slopes (core/fit/kink.hpp). Off where fits are compared with
-    /// each other: all of them then end where their slopes do.
+    /// Where the misfit has kinks the fit goes on without slopes (core/fit/kink.hpp).
     bool goesOnAtKinks{};
-    /// A flat valley in which the coarse steps of the beginning end is followed with fine ones. Off where fits are
-    /// compared with each other: that takes as many simulations as all the rest.
+    /// A flat valley in which the coarse steps of the beginning end is followed with fine ones.
     bool goesOnInValleys{};
     /// > 0: least squares takes its last steps with an integration error of at most this share of the scatter of the
     /// residuals, where the tolerances ask for less; the misfit is then its minimum but for a share of the square.
@@ -51,6 +49,15 @@ struct FitOptions {
     /// Fills FitEstimate::robustError (keepsOptimum must hold).
     bool findsRobustErrors{};
     SimulationOptions simulation;
+
+    /// The same without what only a fit that stands alone is worth: fits that are compared with each other, or lead to
+    /// another one, all end where their slopes do.
+    FitOptions besideOthers() const {
+        FitOptions options = *this;
+        options.goesOnAtKinks = options.goesOnInValleys = false;
+        options.integrationShare = 0;
+        return options;
+    }
 };
 
 enum class FitStatus { Converged, IterationLimit, Cancelled, Failed };

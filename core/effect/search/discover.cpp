@@ -57,11 +57,7 @@ Outcome<ModelState> fitModel(const EstimationTask& task, const FitOptions& optio
     for (const Role role : {Role::Fit, Role::Validate})
         for (Text& sentence : wrongStarts(*found, role)) found->remarks.push_back(std::move(sentence));
     if (progress.stopRequested()) return found;
-    FitOptions compared = options;
-    // readings are told apart by how much they leave, each fitted alike
-    compared.goesOnAtKinks = compared.goesOnInValleys = false;
-    compared.integrationShare = 0;
-    if (const auto reading = heldReading(null, compared, progress))
+    if (const auto reading = heldReading(null, options.besideOthers(), progress))
         for (Text& remark : heldRemarks(task, *reading, errorPercentOf(*found, Role::Fit), false))
             found->remarks.push_back(std::move(remark));
     return found;
