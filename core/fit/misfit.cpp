@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/base/parallel.hpp"
+#include "core/base/range.hpp"
 #include "core/fit/difference_slopes.hpp"
 #include "core/fit/normal_equations.hpp"
 #include "core/fit/rounding.hpp"
@@ -37,14 +38,8 @@ Softened soften(RobustLoss loss, double r) {
 double largestRange(const FitExperiment& experiment) {
     double largest = 0.0;
     for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o) {
-        if (!experiment.isFitted(o)) continue;
-        double low = std::numeric_limits<double>::infinity(), high = -low;
-        for (const double y : experiment.measured.row(o)) {
-            if (std::isnan(y)) continue;
-            low = std::min(low, y);
-            high = std::max(high, y);
-        }
-        largest = std::max(largest, (high - low) * experiment.weights[o]);
+        if (experiment.isFitted(o))
+            largest = std::max(largest, rangeOf(experiment.measured.row(o)).width() * experiment.weights[o]);
     }
     return largest;
 }

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <ctime>
 
 #include "core/eval/system.hpp"
+#include "tests/working_time.hpp"
 
 /// What large models cost, from the text to the program, in CPU seconds of this thread.
 namespace analogon {
@@ -21,11 +21,7 @@ struct Cost {
     double total() const { return flat + structure + program; }
 };
 
-double now() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
+double now() { return 1e-3 * test::workedMilliseconds(); }  // [s]
 
 Cost costOf(const std::string& text) {
     const Outcome<Library> builtIn = builtInLibrary();
