@@ -159,9 +159,10 @@ void CampaignWindow::look() {
         });
 }
 
-/// What another program does there changes the state.
+/// What another program does there changes the state; nobody sees it while the window is closed.
 void CampaignWindow::watch() {
-    if (process_.isRunning() || (lookedAt_ == out_->text() && written_ != stateWritten(lookedAt_))) look();
+    if (process_.isRunning() || (isVisible() && lookedAt_ == out_->text() && written_ != stateWritten(lookedAt_)))
+        look();
 }
 
 void CampaignWindow::showLook(const CampaignLook& found) {
