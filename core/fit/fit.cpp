@@ -251,7 +251,7 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
         const int left = options.maxIterations - iterations;
         minimum = isDirect(options.method) ? directSearch(misfit, coordinates, now)
                   : options.method == FitMethod::LeastSquares
-                      ? levenbergMarquardt(misfit, coordinates, now, left, beginning.isNear)
+                      ? levenbergMarquardt(misfit, coordinates, now, left, beginning.isNear, minimum.dampingInValley)
                       : leastSquares(misfit, coordinates, now, left);
         iterations += minimum.iterations;
     }
@@ -370,7 +370,8 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
         result.optimum = best.takesDifferences
                              ? lineariseByDifferences(problem, result.values, best.plans, options.simulation, progress,
                                                       result.simulations)
-                             : linearise(problem, result.values, true, best.plans, options.simulation, progress);
+                             : linearise(problem, result.values, true, best.plans, options.simulation, progress,
+                                         nullptr, options.threads);
     }
     result.scatter = best.scatter;
     result.takesDifferences = best.takesDifferences;

@@ -1,5 +1,7 @@
+#include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <cmath>
+#include <optional>
 
 #include "core/fit/misfit.hpp"
 
@@ -9,11 +11,12 @@ namespace {
 
 /// Levenberg (1944) and Marquardt (1963) in coordinates z with bounds: the damping follows Nielsen (IMM-REP-1999-05),
 /// the scale of each coordinate is the largest its column has had (Moré 1978). A step is projected into the bounds and
-/// judged there; what presses against a bound is held for that step.
+/// judged there; what presses against a bound is held for that step. A bent valley is followed with the geodesic
+/// acceleration of Transtrum and Sethna (2012, arXiv:1201.5885): a step is a parabola, whose bend one simulation shows.
 class LevenbergMarquardt {
 public:
     LevenbergMarquardt(Misfit& misfit, const Coordinates& coordinates, const FitOptions& options, int iterationsLeft,
-                       bool beginsNear)
+                       bool beginsNear, std::optional<double> dampingInValley)
         : misfit_(misfit),
           coordinates_(coordinates),
           options_(options),
@@ -21,6 +24,8 @@ public:
           beginsNear_(beginsNear),
           K_(coordinates.size()) {
         if (beginsNear) damping_ = 1e-8;  // the slopes hold as far as the optimum
+        if (dampingInValley) damping_ = *dampingInValley;
+        isInValley_ = dampingInValley && options.goesOnInValleys;
         z_ = lower_ = upper_ = scale_ = Eigen::VectorXd::Zero(K_);
         for (int i = 0; i < K_; ++i) {
             lower_[i] = coordinates.lower(i);
@@ -36,6 +41,7 @@ public:
             ++iterations_;
         }
         minimum.iterations = iterations_;
+        if (isInValley_) minimum.dampingInValley = damping_;
         minimum.values = misfit_.hasBest() ? misfit_.best() : coordinates_.values(z_);
         minimum.cost = misfit_.bestCost();
         for (int i = 0; i < K_; ++i) minimum.atBound.push_back(z_[i] <= lower_[i] || z_[i] >= upper_[i]);
@@ -71,7 +77,9 @@ private:
         const Eigen::VectorXd full = step(1e-12);
         expected_ = predictedFall(full);
         full_ = full;
-        if (expected_ <= options_.costTolerance * cost || isWithin(full, 1e-12))
+        // what is flat to a coarse tolerance is not yet the end of a valley
+        const double tolerance = isInValley_ ? std::min(options_.costTolerance, 1e-6) : options_.costTolerance;
+        if (expected_ <= tolerance * cost || isWithin(full, 1e-12))
             return end(FitStatus::Converged, phrase("converged"));
         if (mayStepUnseen(full)) {
             misfit_.stepUnseen(coordinates_.values(z_), coordinates_.values(z_ + full));
@@ -97,16 +105,23 @@ private:
         constexpr int mostTries = 60, many = 3;
         const double little = beginsNear_ ? 1e-3 : 1e-6;  // of the cost: the next point is all but the optimum
         const double cost = here_.cost(), before = std::max(damping_, 1e-8);
-        misfit_.expectLast(expected_ <= little * cost);
+        constexpr int manyDamped = 3;
+        isInValley_ =
+            isInValley_ || (options_.goesOnInValleys && dampedSteps_ >= manyDamped && misfit_.mayKeepSlopes());
+        const bool isInValley = isInValley_;
+        misfit_.expectLast(expected_ <= little * cost || isInValley);
         int failures = 0;
         for (int tries = 0; tries < mostTries && damping_ < 1e20; ++tries) {
-            const Eigen::VectorXd aimed = z_ + limited(step(damping_));
-            const Eigen::VectorXd there = aimed.cwiseMax(lower_).cwiseMin(upper_);
-            const double predicted = predictedFall(there - z_);
-            if (predicted > 0.0) {
+            const Eigen::VectorXd straight = inside(z_ + limited(step(damping_)));
+            const double predicted = predictedFall(straight - z_);
+            const std::optional<Eigen::VectorXd> bend =
+                isInValley && predicted > 0.0 ? bendAlong(straight - z_) : Eigen::VectorXd::Zero(K_);
+            if (misfit_.isCancelled()) return true;
+            if (bend && predicted > 0.0) {
+                const Eigen::VectorXd there = inside(straight + *bend);
                 const Eigen::VectorXd values = coordinates_.values(there);
                 // slopes from differences take many simulations: only where the cost falls are they worth it
-                const double known = misfit_.takesDifferences() ? misfit_.cost(values) : 0.0;
+                const double known = misfit_.takesDifferences() || isInValley ? misfit_.cost(values) : 0.0;
                 const bool rises = std::isfinite(known) && known >= cost;
                 ReducedMisfit found;
                 if (known < cost) found = misfit_.reduced(values);
@@ -119,6 +134,7 @@ private:
                     damping_ = std::max(1e-12, damping_ * std::max(1.0 / 9.0, 1.0 - quality * quality * quality));
                     growth_ = 2.0;
                     if (failures == 0) flatSteps_ = fall <= options_.costTolerance * cost ? flatSteps_ + 1 : 0;
+                    dampedSteps_ = predicted < 0.5 * expected_ ? dampedSteps_ + 1 : 0;
                     if (damping_ < 1.0) dampedCosts_.clear();
                     dampedCosts_.push_back(found.cost());
                     z_ = there;
@@ -127,7 +143,7 @@ private:
                 }
                 failures += !found.ok && !rises;
             }
-            damping_ = std::max(damping_, 1e-8) * growth_;
+            damping_ = std::max(damping_, isInValley ? 1e-12 : 1e-8) * growth_;
             if (failures < many) growth_ *= 2.0;
         }
         // Rounding, or a kink, hides the last digits of the cost.
@@ -149,6 +165,32 @@ private:
         return dampedCosts_[dampedCosts_.size() - 1 - many] - dampedCosts_.back() <=
                nextToNothing * dampedCosts_.back();
     }
+
+    /// Half the acceleration that keeps a step in its valley, of the residuals' second derivative along it; nothing: it
+    /// bends too much for the step to be that long.
+    std::optional<Eigen::VectorXd> bendAlong(const Eigen::VectorXd& step) {
+        constexpr double part = 0.1;   // of the step: the difference that shows the bend
+        constexpr double most = 0.75;  // acceleration over step (eq. 15)
+        const std::optional<Eigen::VectorXd> change =
+            misfit_.slopesTimesChange(coordinates_.values(z_), coordinates_.values(z_ + part * step));
+        if (!change) return Eigen::VectorXd::Zero(K_);
+        const Eigen::VectorXd toZ = coordinates_.slopes(coordinates_.values(z_));
+        const Eigen::VectorXd curvature =
+            2.0 / (part * part) *
+            (toZ.cwiseProduct(*change) - part * (slopes_.transpose() * (slopes_ * step)));  // Jᵀ d²r/dt²
+        const auto count = static_cast<Eigen::Index>(free_.size());
+        const Eigen::VectorXd scale = scale_(free_);
+        Eigen::MatrixXd hessian = (slopes_.transpose() * slopes_)(free_, free_);
+        hessian.array() /= (scale * scale.transpose()).array();
+        hessian += damping_ * Eigen::MatrixXd::Identity(count, count);
+        const Eigen::VectorXd scaled = -hessian.ldlt().solve(curvature(free_).cwiseQuotient(scale));
+        if (!(scaled.norm() <= most * scale_.cwiseProduct(step).norm())) return std::nullopt;
+        Eigen::VectorXd bend = Eigen::VectorXd::Zero(K_);
+        bend(free_) = 0.5 * scaled.cwiseQuotient(scale);
+        return bend;
+    }
+
+    Eigen::VectorXd inside(const Eigen::VectorXd& z) const { return z.cwiseMax(lower_).cwiseMin(upper_); }
 
     /// In a long record, after a full step that did what its slopes promised, a far smaller one will too: where the
     /// step after it would promise no more than the tolerance, a pass over all samples would only confirm it.
@@ -206,7 +248,9 @@ private:
     Misfit& misfit_;
     const Coordinates& coordinates_;
     const FitOptions& options_;
+    bool isInValley_{};
     int iterationsLeft_{}, iterations_{}, flatSteps_{};
+    int dampedSteps_{};  // one after the other, each far from what a full one promises
     bool beginsNear_{};
     int K_{};
     double damping_{1e-3}, growth_{2.0}, expected_{};
@@ -221,8 +265,8 @@ private:
 }  // namespace
 
 Minimum levenbergMarquardt(Misfit& misfit, const Coordinates& coordinates, const FitOptions& options,
-                           int iterationsLeft, bool beginsNear) {
-    return LevenbergMarquardt(misfit, coordinates, options, iterationsLeft, beginsNear).run();
+                           int iterationsLeft, bool beginsNear, std::optional<double> dampingInValley) {
+    return LevenbergMarquardt(misfit, coordinates, options, iterationsLeft, beginsNear, dampingInValley).run();
 }
 
 }  // namespace analogon

@@ -107,7 +107,7 @@ Linearisation Misfit::simulate(const Eigen::VectorXd& values, bool withJacobian,
     return attempt(values, [&](const std::vector<GridPlan>& plans) {
         if (withJacobian && takesDifferences_)
             return lineariseByDifferences(problem_, values, plans, options_.simulation, progress_, simulations_);
-        return linearise(problem_, values, withJacobian, plans, options_.simulation, progress_, sums);
+        return linearise(problem_, values, withJacobian, plans, options_.simulation, progress_, sums, threads_);
     });
 }
 
@@ -138,6 +138,8 @@ void Misfit::note(const Eigen::VectorXd& values, double cost, Linearisation line
     if (cost < bestCost_) {
         bestCost_ = cost;
         best_ = values;
+        bestLine_ = std::move(line);
+    } else if (line.ok && values == best_) {  // its cost alone was known
         bestLine_ = std::move(line);
     }
 }
@@ -200,6 +202,21 @@ void Misfit::stepUnseen(const Eigen::VectorXd& from, const Eigen::VectorXd& to) 
     note(to, point.reduced.cost(), std::move(line));
 }
 
+bool Misfit::mayKeepSlopes() const {
+    constexpr double most = 5e6;  // numbers: 40 MB
+    const auto size = static_cast<double>(problem_.residualCount()) * static_cast<double>(problem_.parameters.size());
+    return options_.keepsOptimum && options_.loss == RobustLoss::None && !takesDifferences_ && size <= most;
+}
+
+std::optional<Eigen::VectorXd> Misfit::slopesTimesChange(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+    if (!bestLine_.ok || best_ != from || bestLine_.jacobian.cols() != from.size()) return std::nullopt;
+    const Linearisation there = simulate(to, false);
+    if (!there.ok || !bestLine_.ok) return std::nullopt;
+    const PriorResiduals before = priorsAt(from), after = priorsAt(to);
+    return bestLine_.jacobian.transpose() * (there.residuals - bestLine_.residuals) +
+           before.jacobian.transpose() * (after.residuals - before.residuals);
+}
+
 void Misfit::evaluate(const Eigen::VectorXd& values, ReducedMisfit& reduced) {
     const int failedBefore = failedSimulations_;
     evaluateSlopes(values, reduced);
@@ -241,8 +258,10 @@ bool Misfit::mislead(const Eigen::VectorXd& values, const ReducedMisfit& reduced
     const double promised = std::sqrt(std::max(0.0, (reduced.jacobian * steps).squaredNorm() - ofPriors));
     if (promised <= floor * signal_) return false;
     simulations_ += 2;
-    const Linearisation here = linearise(problem_, values, false, plans_, options_.simulation, progress_);
-    const Linearisation there = linearise(problem_, values + steps, false, plans_, options_.simulation, progress_);
+    const Linearisation here =
+        linearise(problem_, values, false, plans_, options_.simulation, progress_, nullptr, threads_);
+    const Linearisation there =
+        linearise(problem_, values + steps, false, plans_, options_.simulation, progress_, nullptr, threads_);
     if (!here.ok || !there.ok) return false;
     return promised > tolerated * (there.residuals - here.residuals).norm() + floor * signal_;
 }

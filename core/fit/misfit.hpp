@@ -43,6 +43,11 @@ public:
     /// The next point is likely to be the optimum: its residuals and slopes are kept, where they are asked for, so that
     /// nobody has to simulate it again.
     void expectLast(bool isExpected) { isLast_ = isExpected; }
+    /// Whether the slopes at the best point can be kept beside everything else.
+    bool mayKeepSlopes() const;
+    /// Jᵀ(r(to) - r(from)) in own units, with the slopes J at `from`; nothing: they were not kept, or there is no
+    /// simulation there.
+    std::optional<Eigen::VectorXd> slopesTimesChange(const Eigen::VectorXd& from, const Eigen::VectorXd& to);
     /// Goes from one point that is remembered to another so close to it that its slopes tell what is met there.
     void stepUnseen(const Eigen::VectorXd& from, const Eigen::VectorXd& to);
     /// Robust losses are measured against the scatter of the residuals here.
@@ -132,13 +137,14 @@ struct Minimum {
     double cost{std::numeric_limits<double>::infinity()};
     std::vector<bool> atBound;
     int iterations{};
-    bool isAtKink{};  // the slopes promise a fall that no step along them brings
+    bool isAtKink{};                        // the slopes promise a fall that no step along them brings
+    std::optional<double> dampingInValley;  // of Levenberg-Marquardt, where it followed a bent valley
 };
 
-/// Levenberg-Marquardt of our own (near the optimum it begins with the full Gauss-Newton step); the same by Ceres with
-/// an active set for the bounds.
+/// Levenberg-Marquardt of our own (near the optimum it begins with the full Gauss-Newton step, in a valley that was
+/// followed before with the damping that was left); the same by Ceres with an active set for the bounds.
 Minimum levenbergMarquardt(Misfit& misfit, const Coordinates& coordinates, const FitOptions& options,
-                           int iterationsLeft, bool beginsNear);
+                           int iterationsLeft, bool beginsNear, std::optional<double> dampingInValley = {});
 Minimum leastSquares(Misfit& misfit, Coordinates& coordinates, const FitOptions& options, int iterationsLeft);
 /// The simplex of Nelder and Mead (1965), the 2014 paper's method, restarted until it stays where it is.
 Minimum directSearch(Misfit& misfit, Coordinates& coordinates, const FitOptions& options);

@@ -58,10 +58,6 @@ FitProblem shortened(const FitProblem& problem, bool isThinned) {
     return part;
 }
 
-Index measuredCount(const FitExperiment& experiment, Index output) {
-    return (experiment.measured.row(output).array() == experiment.measured.row(output).array()).count();
-}
-
 /// Whether each output that is fitted is measured in the part about as often as elsewhere.
 bool isMeasuredAlike(const FitProblem& problem, const FitProblem& part) {
     for (std::size_t e = 0; e < part.experiments.size(); ++e) {
@@ -69,8 +65,8 @@ bool isMeasuredAlike(const FitProblem& problem, const FitProblem& part) {
         const double share = static_cast<double>(sampleCount(some)) / static_cast<double>(sampleCount(all));
         for (Index o = 0; o < some.measured.rows(); ++o) {
             if (!all.isFitted(o)) continue;
-            const auto expected = share * static_cast<double>(measuredCount(all, o));
-            if (static_cast<double>(measuredCount(some, o)) < 0.5 * expected) return false;
+            const auto expected = share * static_cast<double>(all.measuredCount(o));
+            if (static_cast<double>(some.measuredCount(o)) < 0.5 * expected) return false;
         }
     }
     return true;

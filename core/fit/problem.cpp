@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <atomic>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -13,23 +13,12 @@
 #include "core/base/parallel.hpp"
 #include "core/fit/clock.hpp"
 #include "core/fit/normal_equations.hpp"
+#include "core/fit/row_writer.hpp"
 #include "core/simulate/all_finite.hpp"
 
 namespace analogon {
 
 namespace {
-
-Eigen::Index measuredCount(const FitExperiment& experiment, Eigen::Index output) {
-    const Eigen::Index stride = experiment.measured.rows(), samples = experiment.measured.cols();
-    const double* at = experiment.measured.data() + output;
-    Eigen::Index count = 0;
-    for (Eigen::Index k = 0; k < samples; ++k, at += stride) count += *at == *at;
-    return count;
-}
-
-bool hasGaps(const FitExperiment& experiment, Eigen::Index output) {
-    return measuredCount(experiment, output) != experiment.measured.cols();
-}
 
 /// System parameter that each fit parameter drives in one experiment; -1: none. A parameter of this experiment
 /// alone goes before one of the same name for all.
@@ -146,13 +135,6 @@ Text describe(const SimulationFailure& failure, const std::string& experiment) {
     return failure.cause.empty() ? told : phrase("{}: {}", told, failure.cause);
 }
 
-/// What the clock of an output is ahead by at these values, and which fit parameter it is (-1: none).
-struct ClockAt {
-    int output{};
-    double offset{};
-    int parameter{-1};
-};
-
 std::vector<ClockAt> clocksAt(const FitProblem& problem, const FitExperiment& experiment,
                               const Eigen::VectorXd& values) {
     std::vector<ClockAt> clocks;
@@ -169,165 +151,67 @@ std::vector<ClockAt> clocksAt(const FitProblem& problem, const FitExperiment& ex
     return clocks;
 }
 
-/// Writes the rows of one experiment while its samples pass by, and keeps the outputs.
-class RowWriter final : public SampleSink {
-public:
-    RowWriter(const FitExperiment& experiment, const std::vector<Eigen::Index>& columns, Eigen::Index firstRow,
-              bool withJacobian, const std::vector<ClockAt>& clocks, Linearisation& result)
-        : experiment_(experiment),
-          columns_(columns),
-          withJacobian_(withJacobian),
-          clocks_(clocks),
-          result_(result),
-          slopes_(experiment.measured.rows()) {
-        for (const ClockAt& clock : clocks_)
-            slopes_[static_cast<std::size_t>(clock.output)].resize(withJacobian ? columns.size() : 0,
-                                                                   experiment.measured.cols());
-        resizeLarge(outputs, experiment.measured.rows(), experiment.measured.cols());
-        outputs.setConstant(std::numeric_limits<double>::quiet_NaN());
-        for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o) {
-            if (!experiment.isFitted(o)) continue;
-            Output output;
-            output.index = o;
-            output.firstRow = firstRow;
-            output.isComplete = !hasGaps(experiment, o);
-            output.hasClock =
-                std::any_of(clocks.begin(), clocks.end(), [&](const ClockAt& c) { return c.output == o; });
-            for (Eigen::Index k = 0; k < experiment.measured.cols() && !output.isComplete; ++k)
-                output.rows.push_back(std::isnan(experiment.measured(o, k)) ? -1 : firstRow++);
-            if (output.isComplete) firstRow += experiment.measured.cols();
-            fitted_.push_back(std::move(output));
-        }
-    }
+/// Residuals that are not known yet, and a Jacobian for them.
+Linearisation roomFor(const FitProblem& problem, bool withJacobian) {
+    Linearisation result;
+    const Eigen::Index rows = problem.residualCount();
+    resizeLarge(result.residuals, rows, 1);
+    result.residuals.setConstant(std::numeric_limits<double>::quiet_NaN());
+    if (!withJacobian) return result;
+    const auto K = static_cast<Eigen::Index>(problem.parameters.size());
+    resizeLarge(result.jacobian, rows, K);
+    // What acts in every experiment fills its column; a parameter of one leaves gaps.
+    for (Eigen::Index k = 0; k < K; ++k)
+        if (problem.parameters[static_cast<std::size_t>(k)].experiment >= 0 || !actsEverywhere(problem, k))
+            result.jacobian.col(k).setZero();
+    return result;
+}
 
-    void take(int sample, const double* y, const double* dy) override {
-        outputs.col(sample) = Eigen::Map<const Eigen::VectorXd>(y, outputs.rows());
-        for (const Output& output : fitted_)
-            pass(output, sample, 1, y + output.index,
-                 dy ? dy + output.index * static_cast<Eigen::Index>(columns_.size()) : nullptr, 0);
-    }
-
-    void takeRows(int first, int count, const double* rows, const RowLayout& layout, int) override {
-        for (int j = 0; j < count; ++j)
-            outputs.col(first + j) =
-                Eigen::Map<const Eigen::VectorXd>(rows + j * layout.resultSize() + layout.value(0), outputs.rows());
-        for (const Output& output : fitted_) {
-            const int o = static_cast<int>(output.index);
-            pass(output, first, count, rows + layout.value(o), rows + layout.tangent(o), layout.resultSize());
-        }
-    }
-    void restart() override {}
-
-    /// When all samples are there: what has a clock of its own is taken where that clock stamps it.
-    void applyClocks() {
-        const std::vector<double>& time = experiment_.inputs.time;
-        for (const ClockAt& clock : clocks_) {
-            const Eigen::MatrixXd& slopes = slopes_[static_cast<std::size_t>(clock.output)];
-            Eigen::RowVectorXd shifted(outputs.cols()), rates(outputs.cols());
-            Eigen::MatrixXd shiftedSlopes = Eigen::MatrixXd::Zero(slopes.rows(), slopes.cols());
-            for (Eigen::Index k = 0; k < outputs.cols(); ++k) {
-                const TimeStencil stencil = stencilAt(time, time[static_cast<std::size_t>(k)] - clock.offset);
-                const auto value = [&](int sample) { return outputs(clock.output, sample); };
-                shifted[k] = stencil.value(value);
-                rates[k] = stencil.slope(value);
-                for (int j = 0; j < stencil.count && slopes.cols() > 0; ++j)
-                    shiftedSlopes.col(k) +=
-                        stencil.weights[static_cast<std::size_t>(j)] * slopes.col(stencil.first + j);
-            }
-            outputs.row(clock.output) = shifted;
-            for (const Output& output : fitted_) {
-                if (output.index != clock.output) continue;
-                write(output, 0, static_cast<int>(shifted.size()), shifted.data(), 1, shiftedSlopes.data(),
-                      shiftedSlopes.rows());
-                if (withJacobian_ && clock.parameter >= 0) writeClock(output, rates, clock.parameter);
-            }
-        }
-    }
-
-    Eigen::MatrixXd outputs;  // rows: outputs, columns: samples; NaN where it did not get to
-
-private:
-    struct Output {
-        Eigen::Index index{}, firstRow{};
-        bool isComplete{}, hasClock{};
-        std::vector<Eigen::Index> rows;  // of each sample, unless complete; -1: not measured
-    };
-
-    static Eigen::Index rowOf(const Output& output, Eigen::Index sample) {
-        return output.isComplete ? output.firstRow + sample : output.rows[static_cast<std::size_t>(sample)];
-    }
-
-    /// Written at once, or kept until the clock can be applied.
-    void pass(const Output& output, int first, int count, const double* y, const double* dy, Eigen::Index stride) {
-        if (!output.hasClock) return write(output, first, count, y, stride, dy, stride);
-        Eigen::MatrixXd& kept = slopes_[static_cast<std::size_t>(output.index)];
-        for (int j = 0; j < count && kept.rows() > 0; ++j)
-            kept.col(first + j) = Eigen::Map<const Eigen::VectorXd>(dy + j * stride, kept.rows());
-    }
-
-    void write(const Output& output, int first, int count, const double* y, Eigen::Index yStride, const double* dy,
-               Eigen::Index stride) {
-        const double weight = experiment_.weights[output.index];
-        for (int j = 0; j < count; ++j) {
-            const Eigen::Index row = rowOf(output, first + j);
-            if (row >= 0)
-                result_.residuals[row] = weight * (y[j * yStride] - experiment_.measured(output.index, first + j));
-        }
-        for (std::size_t k = 0; withJacobian_ && k < columns_.size(); ++k) {
-            double* const column = result_.jacobian.data() + columns_[k] * result_.jacobian.rows();
-            const double* slope = dy + k;
-            for (int j = 0; j < count; ++j, slope += stride) {
-                const Eigen::Index row = rowOf(output, first + j);
-                if (row >= 0) column[row] = weight * *slope;
-            }
-        }
-    }
-
-    void writeClock(const Output& output, const Eigen::RowVectorXd& rates, int parameter) {
-        for (Eigen::Index k = 0; k < rates.size(); ++k) {
-            const Eigen::Index row = rowOf(output, k);
-            if (row >= 0) result_.jacobian(row, parameter) = -experiment_.weights[output.index] * rates[k];
-        }
-    }
-
-    const FitExperiment& experiment_;
-    const std::vector<Eigen::Index>& columns_;
-    bool withJacobian_{};
-    const std::vector<ClockAt>& clocks_;
-    Linearisation& result_;
-    std::vector<Eigen::MatrixXd> slopes_;  // of outputs with a clock: rows: directions, columns: samples
-    std::vector<Output> fitted_;
-};
-
-/// Shows the samples to two.
-class BothSinks final : public SampleSink {
-public:
-    BothSinks(SampleSink& first, SampleSink& second) : sinks_{&first, &second} {}
-    void take(int sample, const double* y, const double* dy) override {
-        for (SampleSink* sink : sinks_) sink->take(sample, y, dy);
-    }
-    void takeRows(int first, int count, const double* rows, const RowLayout& layout, int directions) override {
-        for (SampleSink* sink : sinks_) sink->takeRows(first, count, rows, layout, directions);
-    }
-    void restart() override {
-        for (SampleSink* sink : sinks_) sink->restart();
-    }
-
-private:
-    std::array<SampleSink*, 2> sinks_;
-};
+/// The rows of one experiment from `firstRow` on, and its trajectory; `added`: its normal equations as well. Why it
+/// failed, or nothing.
+Text lineariseOne(const FitProblem& problem, std::size_t e, const Eigen::VectorXd& values, bool withJacobian,
+                  const std::vector<GridPlan>& plans, const SimulationOptions& options, const Progress& progress,
+                  Eigen::Index firstRow, std::unique_ptr<NormalEquations>* added, Linearisation& result) {
+    const FitExperiment& experiment = problem.experiments[e];
+    std::vector<Eigen::Index> columns;  // column of the Jacobian of each direction
+    const SimulationTask task = taskFor(problem, static_cast<int>(e), values, withJacobian ? &columns : nullptr);
+    const std::vector<ClockAt> clocks = clocksAt(problem, experiment, values);
+    RowWriter writer(experiment, columns, firstRow, withJacobian, clocks, result);
+    if (added) *added = std::make_unique<NormalEquations>(experiment, columns);
+    std::optional<BothSinks> both;
+    if (added) both.emplace(writer, **added);
+    SampleSink& sink = both ? static_cast<SampleSink&>(*both) : writer;
+    Trajectory& trajectory = result.trajectories[e];
+    trajectory = simulated(problem, e, task, plans, options, progress, sink);
+    if (options.engine == Engine::Adaptive) pour(trajectory, static_cast<int>(task.directions.cols()), sink);
+    if (!trajectory.failure.failed) writer.applyClocks();
+    trajectory.outputs = std::move(writer.outputs);  // also of what failed: NaN where it did not get to
+    if (trajectory.failure.failed) return describe(trajectory.failure, experiment.name);
+    if (!allFinite(trajectory.outputs.data(), trajectory.outputs.size()))
+        return phrase("experiment '{}': an output is not finite", experiment.name);
+    return {};
+}
 
 }  // namespace
 
+Eigen::Index FitExperiment::measuredCount(Eigen::Index output) const {
+    const Eigen::Index stride = measured.rows(), samples = measured.cols();
+    const double* at = measured.data() + output;
+    Eigen::Index count = 0;
+    for (Eigen::Index k = 0; k < samples; ++k, at += stride) count += *at == *at;
+    return count;
+}
+
+Eigen::Index FitExperiment::residualCount() const {
+    Eigen::Index count = 0;
+    for (Eigen::Index o = 0; o < measured.rows(); ++o)
+        if (isFitted(o)) count += measuredCount(o);
+    return count;
+}
+
 int FitProblem::residualCount() const {
     Eigen::Index count = 0;
-    for (const FitExperiment& experiment : experiments) {
-        for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o) {
-            if (experiment.isFitted(o)) {
-                count += measuredCount(experiment, o);
-            }
-        }
-    }
+    for (const FitExperiment& experiment : experiments) count += experiment.residualCount();
     return static_cast<int>(count);
 }
 
@@ -372,54 +256,38 @@ GridPlan singleStepsFor(const FitProblem& problem, int experiment, const Eigen::
 
 Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values, bool withJacobian,
                         const std::vector<GridPlan>& plans, const SimulationOptions& options, const Progress& progress,
-                        MisfitSums* sums) {
-    Linearisation result;
-    if (sums) {
-        const auto K = withJacobian ? static_cast<Eigen::Index>(problem.parameters.size()) : 0;
-        *sums = {false, Eigen::MatrixXd::Zero(K, K), Eigen::VectorXd::Zero(K), 0.0, {}};
+                        MisfitSums* sums, int threads) {
+    Linearisation result = roomFor(problem, withJacobian);
+    const std::size_t count = problem.experiments.size();
+    std::vector<Eigen::Index> firstRows(count, 0);
+    for (std::size_t e = 1; e < count; ++e)
+        firstRows[e] = firstRows[e - 1] + problem.experiments[e - 1].residualCount();
+    std::vector<std::unique_ptr<NormalEquations>> added(sums ? count : 0);
+    result.trajectories.resize(count);
+    std::vector<Text> failures(count);
+    std::atomic<std::size_t> firstFailed{count};
+    // What is told of how far it is goes from the first to the last.
+    parallelFor(static_cast<int>(count), options.reached ? 1 : threads, [&](int index) {
+        const auto e = static_cast<std::size_t>(index);
+        if (e > firstFailed) return;
+        failures[e] = lineariseOne(problem, e, values, withJacobian, plans, options, progress, firstRows[e],
+                                   sums ? &added[e] : nullptr, result);
+        if (options.reached) options.reached(static_cast<double>(e + 1) / static_cast<double>(count));
+        std::size_t failed = firstFailed;
+        while (!failures[e].empty() && e < failed && !firstFailed.compare_exchange_weak(failed, e)) {
+        }
+    });
+    const auto K = withJacobian ? static_cast<Eigen::Index>(problem.parameters.size()) : 0;
+    if (sums) *sums = {false, Eigen::MatrixXd::Zero(K, K), Eigen::VectorXd::Zero(K), 0.0, {}};
+    // In the order of the experiments, whatever thread was first; it ends with the first that failed.
+    for (std::size_t e = 0; sums && e < std::min<std::size_t>(firstFailed, count); ++e) {
+        sums->squares += added[e]->squares();
+        added[e]->addTo(sums->hessian, sums->gradient);
     }
-    const Eigen::Index rows = problem.residualCount();
-    resizeLarge(result.residuals, rows, 1);
-    result.residuals.setConstant(std::numeric_limits<double>::quiet_NaN());
-    if (withJacobian) {
-        const auto K = static_cast<Eigen::Index>(problem.parameters.size());
-        resizeLarge(result.jacobian, rows, K);
-        // What acts in every experiment fills its column; a parameter of one leaves gaps.
-        for (Eigen::Index k = 0; k < K; ++k)
-            if (problem.parameters[static_cast<std::size_t>(k)].experiment >= 0 || !actsEverywhere(problem, k))
-                result.jacobian.col(k).setZero();
-    }
-    Eigen::Index row = 0;
-    for (std::size_t e = 0; e < problem.experiments.size(); ++e) {
-        const FitExperiment& experiment = problem.experiments[e];
-        std::vector<Eigen::Index> columns;  // column of the Jacobian of each direction
-        const SimulationTask task = taskFor(problem, static_cast<int>(e), values, withJacobian ? &columns : nullptr);
-        const std::vector<ClockAt> clocks = clocksAt(problem, experiment, values);
-        RowWriter writer(experiment, columns, row, withJacobian, clocks, result);
-        NormalEquations added(experiment, sums ? columns : std::vector<Eigen::Index>{});
-        BothSinks both(writer, added);
-        SampleSink& sink = sums ? static_cast<SampleSink&>(both) : writer;
-        result.trajectories.push_back(simulated(problem, e, task, plans, options, progress, sink));
-        if (options.reached)
-            options.reached(static_cast<double>(e + 1) / static_cast<double>(problem.experiments.size()));
-        Trajectory& trajectory = result.trajectories.back();
-        if (options.engine == Engine::Adaptive) pour(trajectory, static_cast<int>(task.directions.cols()), sink);
-        if (!trajectory.failure.failed) writer.applyClocks();
-        trajectory.outputs = std::move(writer.outputs);  // also of what failed: NaN where it did not get to
-        if (trajectory.failure.failed) {
-            result.failure = describe(trajectory.failure, experiment.name);
-            return result;
-        }
-        for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o)
-            if (experiment.isFitted(o)) row += measuredCount(experiment, o);
-        if (!allFinite(trajectory.outputs.data(), trajectory.outputs.size())) {
-            result.failure = phrase("experiment '{}': an output is not finite", experiment.name);
-            return result;
-        }
-        if (sums) {
-            sums->squares += added.squares();
-            added.addTo(sums->hessian, sums->gradient);
-        }
+    if (firstFailed < count) {
+        result.trajectories.resize(firstFailed + 1);
+        result.failure = failures[firstFailed];
+        return result;
     }
     // so large that their squares are not: the steps were stable for the states and not for what moves them
     if (withJacobian && !std::isfinite(result.jacobian.squaredNorm())) {

@@ -55,6 +55,11 @@ struct FitExperiment {
     std::vector<ChannelClock> clocks{};  // of the outputs that do not share the clock of the inputs
 
     bool isFitted(Eigen::Index output) const { return output < weights.size() && weights[output] > 0.0; }
+    /// Samples at which this output was measured.
+    Eigen::Index measuredCount(Eigen::Index output) const;
+    bool hasGaps(Eigen::Index output) const { return measuredCount(output) != measured.cols(); }
+    /// Samples of all outputs that are fitted.
+    Eigen::Index residualCount() const;
 };
 
 /// minimise 1/2 sum ((y - measured) * weight)^2 over all experiments, outputs and samples
@@ -119,13 +124,12 @@ struct MisfitSums {
 };
 
 /// `plans`: one per experiment, from planFor; empty: made here. `sums`: filled on the way as by sumUp(), where that is
-/// possible.
+/// possible. Experiments run side by side on up to `threads` threads; the result does not depend on their number.
 Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values, bool withJacobian,
                         const std::vector<GridPlan>& plans, const SimulationOptions& options = {},
-                        const Progress& progress = {}, MisfitSums* sums = nullptr);
+                        const Progress& progress = {}, MisfitSums* sums = nullptr, int threads = 1);
 
-/// As linearise(), sample by sample (not for the adaptive engine, nor for clocks of their own). Experiments run side by
-/// side on up to `threads` threads; the result does not depend on their number.
+/// As linearise(), sample by sample (not for the adaptive engine, nor for clocks of their own).
 MisfitSums sumUp(const FitProblem& problem, const Eigen::VectorXd& values, bool withJacobian,
                  const std::vector<GridPlan>& plans, const SimulationOptions& options = {},
                  const Progress& progress = {}, int threads = 1);

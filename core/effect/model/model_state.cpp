@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/base/parallel.hpp"
 #include "core/base/range.hpp"
 #include "core/base/stop.hpp"
 #include "core/base/unit.hpp"
@@ -281,7 +282,7 @@ Outcome<ModelState> valuesAlone(const Variant& variant, const FitResult& fit) {
 }
 
 Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const SimulationOptions& simulation,
-                            const Progress& progress, Detail detail) {
+                            const Progress& progress, Detail detail, int threads) {
     Outcome<ModelState> begun = valuesAlone(variant, fit);
     if (!begun) return begun;
     ModelState& state = *begun;
@@ -297,21 +298,23 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
         const OpenStarts open(problem, role, fit, simulation, progress);
         const Eigen::VectorXd& values = open.values();
         const SimulationOptions watched = ofRole(simulation, variant.task.recordings, role);
-        Linearisation l = linearise(problem, values, false, {}, watched, progress);
+        Linearisation l = linearise(problem, values, false, {}, watched, progress, nullptr, threads);
         std::optional<Linearisation> close;
         if (fit.simulations == 0) close = integrateCloselyWhereNeeded(problem, values, watched, progress, l);
         const bool hasBands = detail == Detail::Report && fit.covariance.size() > 0;
         Eigen::MatrixXd covariance = hasBands ? covarianceIn(problem, role, fit) : Eigen::MatrixXd();
         if (hasBands) open.addTo(problem, covariance);
-        for (std::size_t e = 0; e < std::min(problem.experiments.size(), l.trajectories.size()); ++e) {
-            ExperimentState experiment = experimentState(problem.experiments[e], role, l.trajectories[e]);
-            experiment.failure.cause =
-                causeOf(problem, static_cast<int>(e), values, experiment.failure, simulation, progress);
-            open.addTo(static_cast<int>(e), experiment);
-            if (hasBands)
-                addDeviations(problem, static_cast<int>(e), values, covariance, simulation, progress, experiment);
-            byRecording.emplace(prepared->fitRecordings[e], std::move(experiment));
-        }
+        std::vector<ExperimentState> found(std::min(problem.experiments.size(), l.trajectories.size()));
+        parallelFor(static_cast<int>(found.size()), std::max(1, threads), [&](int index) {
+            const auto e = static_cast<std::size_t>(index);
+            ExperimentState& experiment = found[e];
+            experiment = experimentState(problem.experiments[e], role, l.trajectories[e]);
+            experiment.failure.cause = causeOf(problem, index, values, experiment.failure, simulation, progress);
+            open.addTo(index, experiment);
+            if (hasBands) addDeviations(problem, index, values, covariance, simulation, progress, experiment);
+        });
+        for (std::size_t e = 0; e < found.size(); ++e)
+            byRecording.emplace(prepared->fitRecordings[e], std::move(found[e]));
         if (detail != Detail::Report || !anySwitches(problem) || isStopped()) continue;
         if (!close) close = integrateCloselyBeside(problem, values, simulation, progress);
         for (Text& remark : switchingRemarks(problem, *close)) state.remarks.push_back(std::move(remark));

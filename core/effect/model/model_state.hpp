@@ -11,9 +11,9 @@ namespace analogon {
 enum class Detail { Errors, Report };
 
 /// Holds a variant at its values against every recording; recordings with Role::Validate are simulated here and
-/// nowhere else.
+/// nowhere else. Recordings run side by side on up to `threads` threads.
 Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const SimulationOptions& simulation,
-                            const Progress& progress, Detail detail = Detail::Report);
+                            const Progress& progress, Detail detail = Detail::Report, int threads = 1);
 
 /// The values of a fit without any simulation.
 Outcome<ModelState> valuesAlone(const Variant& variant, const FitResult& fit);

@@ -37,7 +37,8 @@ Outcome<ModelState> fitModel(const EstimationTask& task, const FitOptions& optio
             if (Outcome<Done> fitted = fitNull(null, NoiseLevel::Estimate, beginningAnywhere(options), progress);
                 !fitted)
                 return fitted.diagnostics();
-            Outcome<ModelState> whole = stateOf(null.variant, null.fit, options.simulation, progress);
+            Outcome<ModelState> whole =
+                stateOf(null.variant, null.fit, options.simulation, progress, Detail::Report, options.threads);
             stopPoint();
             return whole;
         } catch (const Stopped&) {

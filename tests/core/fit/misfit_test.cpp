@@ -69,8 +69,45 @@ TEST(PlanWithin, ALoudRecordingKeepsItsSteps) {
     EXPECT_GT(misfit.plans().front().work(), before.front().work());
 }
 
-/// Two parameters of which a curve, b = a^2, is known far better than the place on it, beside a spring that wants fine
-/// steps.
+/// Two parameters of which a curve, b = a^2, is known far better than the place on it (Rosenbrock 1960), far from it.
+FitProblem rosenbrock(double narrowness) {
+    const SystemPtr system = test::compileText(R"(
+model Valley
+  input Real f;
+  output Real y;
+  output Real z;
+  parameter Real a = 1;
+  parameter Real b = 1;
+  Real x(start = 0, fixed = true);
+equation
+  der(x) = f*a - x;
+  y = x;
+  z = b - a^2;
+end Valley;
+)",
+                                               "Valley", {"a", "b"});
+    FitProblem problem;
+    problem.experiments.push_back(
+        test::simulated("steps", system, test::steps(400, 0.02, 1.0, 3.0), {1.0, 1.0}, 0.0, 4));
+    problem.experiments[0].weights[1] = narrowness;
+    problem.parameters = {test::parameter("a", -3.0), test::parameter("b", 9.0)};
+    return problem;
+}
+
+TEST(Fit, FollowsABentValleyInFewSteps) {
+    const FitProblem problem = rosenbrock(300);
+    FitOptions options;
+    options.maxIterations = 400;
+    const FitResult straight = fit(problem, options);
+    options.goesOnInValleys = true;
+    const FitResult bent = fit(problem, options);
+    ASSERT_EQ(bent.status, FitStatus::Converged) << bent.message;
+    EXPECT_NEAR(bent.values[0], 1, 1e-6);
+    EXPECT_NEAR(bent.values[1], 1, 1e-6);
+    EXPECT_LT(3 * bent.iterations, straight.iterations);
+}
+
+/// The same at its end, beside a spring that wants fine steps.
 FitProblem bentValley() {
     const SystemPtr system = test::compileText(R"(
 model Valley

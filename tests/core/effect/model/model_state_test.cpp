@@ -97,6 +97,33 @@ TEST(StateOf, TellsHowFarTheParametersLeaveTheOutputsUncertainInAReportAlone) {
     EXPECT_NEAR(deviation[199], 0.01 * std::abs(slope), 0.01);
 }
 
+TEST(StateOf, IsTheSameWhateverTheThreads) {
+    Variant variant{laggingBody(0), {}, {{"joint.G", -1, 0.2}}};
+    for (const double offset : {0.5, 1.0, 2.0}) {
+        variant.task.recordings.push_back(variant.task.recordings.front());
+        variant.task.recordings.back().name = "recording " + std::to_string(variant.task.recordings.size());
+        variant.task.recordings.back().outputs.array() += offset;
+    }
+    FitResult fit;
+    fit.simulations = 1;
+    fit.estimates.emplace_back();
+    fit.estimates.back().name = "joint.G";
+    fit.estimates.back().value = 0.2;
+    fit.values = Eigen::VectorXd::Constant(1, 0.2);
+    fit.covariance = Eigen::MatrixXd::Constant(1, 1, 1e-4);
+    const Outcome<ModelState> one = stateOf(variant, fit, {}, {}),
+                              several = stateOf(variant, fit, {}, {}, Detail::Report, 3);
+    ASSERT_TRUE(one && several);
+    ASSERT_EQ(one->experiments.size(), 4u);
+    ASSERT_EQ(several->experiments.size(), 4u);
+    for (std::size_t e = 0; e < 4; ++e) {
+        EXPECT_EQ(several->experiments[e].name, one->experiments[e].name);
+        EXPECT_EQ(several->experiments[e].errorPercent, one->experiments[e].errorPercent);
+        EXPECT_EQ(several->experiments[e].outputs[0].simulated, one->experiments[e].outputs[0].simulated);
+        EXPECT_EQ(several->experiments[e].outputs[0].deviation, one->experiments[e].outputs[0].deviation);
+    }
+}
+
 TEST(ValuesAlone, AreWrittenIntoTheModelWithoutASimulation) {
     const Variant variant{laggingBody(0), {}, {{"joint.G", -1, 0.25}}};
     FitResult fit;
