@@ -4,8 +4,10 @@
 #include <limits>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 #include "core/base/parallel.hpp"
+#include "core/base/work.hpp"
 #include "core/effect/judge/disturbance.hpp"
 #include "core/effect/judge/judgement.hpp"
 #include "core/effect/judge/prediction.hpp"
@@ -36,19 +38,37 @@ struct Need {
     std::optional<double> besideDisturbance{};  // evidence for it beside a disturbance, where that was asked
 };
 
+/// What `task` simulates, counted for nobody yet: what is judged at once with others may not be needed in the end, and
+/// the work of a search is not to depend on how many are.
+template <class Task>
+double simulatedBy(const Task& task) {
+    const WorkScope nobody(nullptr);
+    const WorkCount own;
+    task();
+    return own.done();
+}
+
 /// The disturbance beside a model as it stands, found when first asked for, by any thread.
 class DisturbanceOnce {
 public:
     const BesideDisturbance& of(const SearchContext& search, const NullModel& null, std::size_t most) {
         const std::lock_guard lock(guard_);
-        if (!known_) known_ = besideDisturbance(null, search.fit.simulation, search.progress, most);
+        if (!known_)
+            work_ =
+                simulatedBy([&] { known_ = besideDisturbance(null, search.fit.simulation, search.progress, most); });
         return *known_;
     }
-    void forget() { known_.reset(); }
+    /// Counts what it took, once.
+    void count() { countWork(std::exchange(work_, 0.0)); }
+    void forget() {
+        known_.reset();
+        work_ = 0;
+    }
 
 private:
     std::mutex guard_;
     std::optional<BesideDisturbance> known_;
+    double work_{};
 };
 
 /// How a model does without one of its effects.
@@ -56,6 +76,7 @@ struct Judged {
     std::optional<NullModel> without;  // empty: it cannot be fitted
     Acceptance missed;
     Need need;
+    double work{};  // what that took
 };
 
 /// Whether an effect, missed by so much, has to stay. `beside`: of the model as it stands, once it is
@@ -89,7 +110,7 @@ Need needOf(const SearchContext& search, const NullModel& null, std::size_t effe
 Judged judge(const SearchContext& search, const Node& node, std::size_t effect, bool isLast, DisturbanceOnce& beside) {
     const PlacedEffect& placed = node.null.variant.effects[effect];
     search.say("remove", phrase("{} at {}", placed.effect.kind, placed.place.at), -1);
-    Judged judged{without(search, node.null, effect), {}, {}};
+    Judged judged{without(search, node.null, effect), {}, {}, {}};
     if (!judged.without) return judged;
     judged.missed = examine(*judged.without, node.null.fit, static_cast<int>(placed.freed.size()), 0);
     judged.need = needOf(search, node.null, effect, *judged.without, judged.missed, isLast, beside);
@@ -117,10 +138,14 @@ void removeUnneeded(SearchContext& search, Node& node, std::size_t least, bool i
             judged.assign(std::min(node.steps.size() - i, atOnce), {});
             parallelFor(static_cast<int>(judged.size()), search.options.threads, [&](int k) {
                 const auto next = static_cast<std::size_t>(k);
-                judged[next] = judge(search, node, first + next, isLast, beside);
+                const double work =
+                    simulatedBy([&] { judged[next] = judge(search, node, first + next, isLast, beside); });
+                judged[next].work = work;
             });
         }
         Judged& own = judged[i - first];
+        countWork(own.work);
+        if (own.need.besideDisturbance) beside.count();
         if (!own.without) {
             ++i;
             continue;

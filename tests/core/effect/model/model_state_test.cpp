@@ -100,9 +100,10 @@ TEST(StateOf, TellsHowFarTheParametersLeaveTheOutputsUncertainInAReportAlone) {
 TEST(StateOf, IsTheSameWhateverTheThreads) {
     Variant variant{laggingBody(0), {}, {{"joint.G", -1, 0.2}}};
     for (const double offset : {0.5, 1.0, 2.0}) {
-        variant.task.recordings.push_back(variant.task.recordings.front());
-        variant.task.recordings.back().name = "recording " + std::to_string(variant.task.recordings.size());
-        variant.task.recordings.back().outputs.array() += offset;
+        Recording another = variant.task.recordings.front();
+        another.name = "recording " + std::to_string(variant.task.recordings.size() + 1);
+        another.outputs.array() += offset;
+        variant.task.recordings.push_back(another);
     }
     FitResult fit;
     fit.simulations = 1;

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "core/base/work.hpp"
 #include "core/effect/judge/judgement.hpp"
 #include "core/effect/model/model_state.hpp"
 #include "tests/core/effect/search/warm_nodes.hpp"
@@ -27,6 +28,30 @@ TEST(Prune, KeepsWhatIsMissedAndTakesOutWhatIsNot) {
     EXPECT_EQ(node.null.variant.effects.front().effect.kind, "sensor.lag");
     EXPECT_GT(node.steps.front().chi2Decrease, 100);
     EXPECT_GT(node.steps.front().errorWithout, of.search.frontier.bestError);
+}
+
+TEST(Prune, CountsTheSameWorkWhateverTheThreads) {
+    const auto work = [](int threads) {
+        DiscoverOptions options;
+        options.threads = threads;
+        WarmSearch of(laggingBody(3), options);
+        Node node = nodeThatChose(of, "sensor.lag");
+        WarmSearch alone(laggingBody(0, 2));
+        Node other = nodeThatChose(alone, "sensor.offset");
+        std::vector<PlacedEffect> both = other.null.variant.effects;  // what is taken out is judged first
+        both.push_back(node.null.variant.effects.front());
+        std::optional<NullModel> with = refittedWith(of.search, node.null, both);
+        EXPECT_TRUE(with);
+        node.null = std::move(*with);
+        node.steps.insert(node.steps.begin(), other.steps.front());
+        const WorkCount count;
+        removeUnneeded(of.search, node, 0, true);
+        EXPECT_EQ(node.steps.size(), 1u);
+        return count.done();
+    };
+    const double alone = work(1);
+    EXPECT_GT(alone, 0);
+    EXPECT_EQ(work(4), alone);
 }
 
 TEST(Prune, NeverTakesTheLastOfSoMany) {
