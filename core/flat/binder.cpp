@@ -100,6 +100,7 @@ std::optional<Value> Binder::valueFor(Instance& instance, Element& element, cons
 }
 
 bool Binder::fitsType(const Element& element, const Value& value) const {
+    if (value.isRecord() || value.isObject() || value.isFunction()) return false;  // no scalars of its own
     if (element.type.enumeration) return value.enumeration == element.type.enumerationName();
     if (!value.enumeration.empty()) return false;
     if (value.type == element.type.builtin) return true;

@@ -70,6 +70,7 @@ const char* typeName(FlatType type) {
 std::string typeText(const Value& value) {
     if (value.isRecord()) return value.record + sizeText(value.dimensions);
     if (value.isObject()) return "ExternalObject";
+    if (value.isFunction()) return "function";
     return (value.enumeration.empty() ? typeName(value.type) : value.enumeration) + sizeText(value.dimensions);
 }
 
