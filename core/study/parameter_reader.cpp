@@ -45,8 +45,7 @@ const FlatVariable* ParameterReader::find(const std::string& name, const std::st
     const FlatVariable& variable = model_[id];
     Text reason;
     if (variable.isStructural) reason = phrase("a size or a condition that has shaped the equations");
-    if (variable.variability == FlatVariability::Continuous)
-        reason = variable.isFoundAtStart ? phrase("computed by an initial equation") : phrase("a variable");
+    if (variable.variability == FlatVariability::Continuous) reason = phrase("a variable");
     if (variable.variability == FlatVariability::Constant) reason = phrase("a constant");
     if (variable.type == FlatType::Integer)
         reason = variable.isStructural
@@ -55,6 +54,7 @@ const FlatVariable* ParameterReader::find(const std::string& name, const std::st
     else if (variable.type != FlatType::Real)
         reason = phrase("no real number");
     if (variable.isFinal) reason = phrase("declared final");
+    if (variable.isFoundAtStart) reason = phrase("computed by an initial equation");
     if (variable.isProtected && name.find('.') != std::string::npos) reason = phrase("protected");
     if (reason.empty()) return &variable;
     fault(pointer, phrase("'{}' cannot be set or fitted: it is {}", name, reason),

@@ -369,6 +369,22 @@ TEST_F(StudyTask, NamesParametersThatCannotBeFitted) {
     EXPECT_THAT(taskFault().message, HasSubstr("the start value 3 of 'R' lies outside its bounds 0.1 … 2"));
 }
 
+TEST_F(StudyTask, SaysOfAParameterThatAnInitialEquationComputesThatItIsOne) {
+    const auto reasonFor = [&](const std::string& name) {
+        putHeater();
+        put("model.mo",
+            "model Heater input Real u; input Real T_amb; output Real i; parameter Real R = 3; parameter Real C = 1; "
+            "parameter Real p(fixed = false), s(fixed = false), f = 2*s; Real T(start = 280, fixed = true); "
+            "initial equation p = 3*R; s*s = T; equation i = u/R; C*der(T) = T_amb - T + p*s*f; end Heater;");
+        change("\"C\": {", "\"" + name + "\": {");
+        return taskFault().message;
+    };
+    for (const std::string name : {"p", "s", "f"})  // in a closed form, by a search, by what follows from it
+        EXPECT_EQ(reasonFor(name).english(),
+                  "'" + name + "' cannot be set or fitted: it is computed by an initial equation");
+    EXPECT_THAT(reasonFor("T").english(), HasSubstr("it is a variable"));
+}
+
 TEST_F(StudyTask, SuggestsTheClassThatWasMeant) {
     putHeater();
     change("\"class\": \"Heater\"", "\"class\": \"Heatr\"");
