@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <ostream>
 #include <set>
@@ -181,10 +182,14 @@ void printSummary(const std::string& description, const FlatModel& flat, const S
         << fmt::format("  states      {}  {}\n", system.stateCount(), signalText(system.states()))
         << fmt::format("  inputs      {}  {}\n", inputs.size(), signalText(inputs))
         << fmt::format("  outputs     {}  {}\n", outputs.size(), signalText(outputs));
+    const auto watched = [](const auto& all) {
+        return static_cast<std::size_t>(
+            std::count_if(all.begin(), all.end(), [](const auto& one) { return one.isWatched; }));
+    };
     if (hybrid)
         out << fmt::format("  events      {}  {} relations, {} sampled, {} assignments\n",
-                           hybrid->relations.size() + hybrid->samples.size() + hybrid->wholes.size(),
-                           hybrid->relations.size(), hybrid->samples.size(), hybrid->assignments.size());
+                           watched(hybrid->relations) + hybrid->samples.size() + watched(hybrid->wholes),
+                           watched(hybrid->relations), hybrid->samples.size(), hybrid->assignments.size());
     else if (system.rootCount() > 0)
         out << fmt::format("  events      {}\n", system.rootCount());
 }

@@ -45,12 +45,12 @@ double EventRun::nextTimeEvent() const {
     for (const DelayHistory& delay : delays_) next = std::min(next, delay.nextArrival());
     const double least = time_ + 2e-13 * sizeOf(time_);
     for (const HybridModel::Relation& r : model_.relations) {
-        if (!r.isOfTime) continue;
+        if (!r.isOfTime || !r.isWatched) continue;
         const double zero = -offsetOf(r.offset) / r.factor;
         if (zero > least) next = std::min(next, zero);
     }
     for (const HybridModel::Whole& w : model_.wholes) {
-        if (!w.isOfTime) continue;
+        if (!w.isOfTime || !w.isWatched) continue;
         const double whole = slots_[static_cast<std::size_t>(w.slot)];
         const double edge = ((w.factor > 0 ? whole + 1 : whole) - offsetOf(w.offset)) / w.factor;
         if (edge > least) next = std::min(next, edge);
@@ -63,7 +63,7 @@ std::size_t EventRun::rootCount() const { return model_.relations.size() + 2 * m
 void EventRun::rootValues(const std::vector<double>& readings, double* values) const {
     for (std::size_t k = 0; k < model_.relations.size(); ++k) {
         const HybridModel::Relation& r = model_.relations[k];
-        if (r.isOfTime) {
+        if (r.isOfTime || !r.isWatched) {
             values[k] = 1;
             continue;
         }
@@ -77,8 +77,9 @@ void EventRun::rootValues(const std::vector<double>& readings, double* values) c
         const double slot = slots_[static_cast<std::size_t>(w.slot)];
         double* const to = values + model_.relations.size() + 2 * k;
         const double border = hysteresis * std::max(1.0, std::fabs(slot));
-        to[0] = w.isOfTime ? 1 : value - slot + border;
-        to[1] = w.isOfTime ? 1 : slot + 1 + border - value;
+        const bool isCrossed = w.isWatched && !w.isOfTime;
+        to[0] = isCrossed ? value - slot + border : 1;
+        to[1] = isCrossed ? slot + 1 + border - value : 1;
     }
 }
 
@@ -324,6 +325,8 @@ bool EventRun::handle(const std::set<int>& crossed, bool isStop) {
     if (++result_.events > static_cast<long>(options_.mostEvents))
         return failed(phrase("more than {} events", options_.mostEvents));
     if (!record() || !beginTangents(crossed)) return false;  // as it was right before
+    const std::vector<double> slots = slots_, x = x_;
+    const bool isMoved = isStop || !crossed.empty() || !delays_.empty();
     if (isStop) drive_->signals.passStop();
     for (DelayHistory& delay : delays_) delay.arriveUpTo(time_);
     if (!model_.leftLimits.empty() && !read(time_, x_.data(), readings_))
@@ -339,7 +342,15 @@ bool EventRun::handle(const std::set<int>& crossed, bool isStop) {
     }
     lastEvent_ = time_;
     if (!areRatesDecided()) return false;
+    if (!isMoved && x == x_ && isSameMotion(slots)) return true;  // what the integrator knows of the past still holds
     return restart() || failed(phrase("the integrator could not restart"));
+}
+
+/// Whether nothing has changed that the motion between events depends on.
+bool EventRun::isSameMotion(const std::vector<double>& slots) const {
+    for (std::size_t s = 0; s < slots.size(); ++s)
+        if (model_.isRead[s] && slots[s] != slots_[s]) return false;
+    return true;
 }
 
 }  // namespace analogon

@@ -173,10 +173,11 @@ EventMoment EventRun::momentOf(const std::set<int>& crossed) const {
         return {k < relations ? model_.relations[static_cast<std::size_t>(k)].reading
                               : model_.wholes[static_cast<std::size_t>(k - relations) / 2].reading};
     for (const HybridModel::Relation& r : model_.relations)
-        if (r.isOfTime && isNow(-offsetOf(r.offset) / r.factor)) return {-1, r.offset, r.factor};
+        if (r.isOfTime && r.isWatched && isNow(-offsetOf(r.offset) / r.factor)) return {-1, r.offset, r.factor};
     for (const HybridModel::Whole& w : model_.wholes) {
         const double value = w.factor * time_ + offsetOf(w.offset);
-        if (w.isOfTime && isNow(time_ + (std::round(value) - value) / w.factor)) return {-1, w.offset, w.factor};
+        if (w.isOfTime && w.isWatched && isNow(time_ + (std::round(value) - value) / w.factor))
+            return {-1, w.offset, w.factor};
     }
     for (std::size_t k = 0; k < pending_.size() && !clockTangents_.empty(); ++k)
         for (std::size_t c = 0; c < clocks_.size(); ++c)

@@ -99,6 +99,7 @@ private:
     static int roots(double t, N_Vector y, double* values, void* self);
     bool setUp();
     bool restart();
+    bool isSameMotion(const std::vector<double>& slots) const;
     bool advance(double interval);
     bool timeEvent(bool isEvent);
     bool handle(const std::set<int>& crossed, bool isStop = false);

@@ -29,6 +29,7 @@ Outcome<HybridModel> Partition::run() {
     rewriteDiscrete();
     buildProgram();
     if (!faults_.empty()) return faults_;
+    findReaders();
     finish();
     if (!faults_.empty()) return faults_;
     return std::move(out_);
@@ -74,11 +75,15 @@ void Partition::findSlots() {
         isKnown_[i] = v.causality == FlatCausality::Input;
     }
     for (const auto& [before, of] : events_.pres) {
-        if (slotOf_[of.value] >= 0)
+        if (slotOf_[of.value] >= 0) {
             out_.pres.emplace_back(slotOf_[before.value], slotOf_[of.value]);
-        else
+            before_[of.value] = before.value;
+        } else
             running_.emplace_back(before, of);
     }
+    for (const FlatEvents::Sample& sample : events_.samples) momentary_.insert(sample.flag.value);
+    for (const VariableId flag : {events_.initial, events_.terminal})
+        if (flag.valid()) momentary_.insert(flag.value);
     if (events_.initial.valid()) out_.initial = slotOf_[events_.initial.value];
     if (events_.terminal.valid()) out_.terminal = slotOf_[events_.terminal.value];
 }

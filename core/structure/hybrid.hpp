@@ -63,6 +63,7 @@ struct HybridModel {
         double factor{};
         int offset{-1};
         std::string text{};  // as it is told: "x > 0"
+        bool isWatched{};    // its crossing is an event; else it is asked for at events alone
     };
     /// The slot holds floor(reading).
     struct Whole {
@@ -70,6 +71,7 @@ struct HybridModel {
         bool isOfTime{};
         double factor{};
         int offset{-1};
+        bool isWatched{};
     };
     struct Sample {
         int slot{};
@@ -115,6 +117,7 @@ struct HybridModel {
     std::vector<Output> outputs;
     std::vector<std::string> slots;               // names: parameters of the continuous model
     std::vector<double> starts;                   // of the slots
+    std::vector<char> isRead;                     // by slot: whether the motion between events depends on it
     std::vector<std::string> readings;            // names: its outputs, in order
     std::vector<std::pair<int, int>> pres;        // slot of pre(x), slot of x
     std::vector<std::pair<int, int>> leftLimits;  // slot of pre(x), reading of an x that runs

@@ -132,9 +132,14 @@ std::string Partition::textOf(Operation operation, ExpressionId a, ExpressionId 
 }
 
 ExpressionId Partition::relationSlot(Operation operation, ExpressionId a, ExpressionId b) {
-    const auto key = std::tuple(operation, a.value, b.value);
-    const auto known = relationOf_.find(key);
-    if (known != relationOf_.end()) return known->second;
+    const auto [entry, isNew] = relationOf_.try_emplace({operation, a.value, b.value}, out_.relations.size());
+    if (isNew) addRelation(operation, a, b);
+    HybridModel::Relation& relation = out_.relations[entry->second];
+    relation.isWatched = relation.isWatched || !isAtEvents_;
+    return pool().variable(slotIds_[static_cast<std::size_t>(relation.slot)]);
+}
+
+void Partition::addRelation(Operation operation, ExpressionId a, ExpressionId b) {
     const VariableId id = addVariable(fmt::format("$relation{}", out_.relations.size()), FlatType::Boolean);
     const int slot = addSlot(id);
     isKnown_.resize(model_->variables.size(), 0);
@@ -147,12 +152,17 @@ ExpressionId Partition::relationSlot(Operation operation, ExpressionId a, Expres
         relationOffsets_.emplace_back(out_.relations.size(), of->rest);
     }
     out_.relations.push_back(relation);
-    return relationOf_[key] = pool().variable(id);
 }
 
 ExpressionId Partition::wholeSlot(ExpressionId of) {
-    const auto known = wholeOf_.find(of.value);
-    if (known != wholeOf_.end()) return known->second;
+    const auto [entry, isNew] = wholeOf_.try_emplace(of.value, out_.wholes.size());
+    if (isNew) addWhole(of);
+    HybridModel::Whole& whole = out_.wholes[entry->second];
+    whole.isWatched = whole.isWatched || !isAtEvents_;
+    return pool().variable(slotIds_[static_cast<std::size_t>(whole.slot)]);
+}
+
+void Partition::addWhole(ExpressionId of) {
     const VariableId id = addVariable(fmt::format("$floor{}", out_.wholes.size()), FlatType::Integer);
     const int slot = addSlot(id);
     isKnown_.resize(model_->variables.size(), 0);
@@ -164,12 +174,12 @@ ExpressionId Partition::wholeSlot(ExpressionId of) {
         wholeOffsets_.emplace_back(out_.wholes.size(), linear->rest);
     }
     out_.wholes.push_back(whole);
-    return wholeOf_[of.value] = pool().variable(id);
 }
 
 /// The expression with a slot for each relation of quantities that run, but within noEvent and smooth.
 ExpressionId Partition::frozen(ExpressionId id) {
-    if (const auto known = frozen_.find(id.value); known != frozen_.end()) return known->second;
+    const std::map<std::uint32_t, ExpressionId>& known = frozen_[isAtEvents_];
+    if (const auto found = known.find(id.value); found != known.end()) return found->second;
     const ExpressionNode node = pool()[id];
     ExpressionId result = id;
     if (node.operation == NoEvent || node.operation == Smooth) {
@@ -179,13 +189,16 @@ ExpressionId Partition::frozen(ExpressionId id) {
     } else if (!hasParts(node)) {
         result = id;
     } else if (node.operation == Delay) {
-        result = delayed(node);
+        const bool isAtEvents = std::exchange(isAtEvents_, false);  // what was is asked for at all times
+        result = isAtEvents ? frozen(id) : delayed(node);
+        isAtEvents_ = isAtEvents;
+    } else if (node.operation == If || node.operation == And || node.operation == Or) {
+        result = frozenChoice(node);
     } else {
-        const ExpressionId a = frozen(node.a), b = node.b.valid() ? frozen(node.b) : node.b,
-                           c = node.c.valid() ? frozen(node.c) : node.c;
-        result = frozenOf(node, a, b, c);
+        const ExpressionId a = frozen(node.a), b = node.b.valid() ? frozen(node.b) : node.b;
+        result = frozenOf(node, a, b);
     }
-    return frozen_[id.value] = result;
+    return frozen_[isAtEvents_][id.value] = result;
 }
 
 /// An input that is fed with what the signal was.
@@ -208,7 +221,7 @@ ExpressionId Partition::delayed(const ExpressionNode& node) {
 
 bool Partition::hasParts(const ExpressionNode& node) { return node.a.valid(); }
 
-ExpressionId Partition::frozenOf(const ExpressionNode& node, ExpressionId a, ExpressionId b, ExpressionId c) {
+ExpressionId Partition::frozenOf(const ExpressionNode& node, ExpressionId a, ExpressionId b) {
     ExpressionPool& p = pool();
     const bool moves = runs(a) || (b.valid() && runs(b));
     const auto floorOf = [&](ExpressionId x) { return runs(x) ? wholeSlot(x) : p.unary(Floor, x); };
@@ -228,8 +241,6 @@ ExpressionId Partition::frozenOf(const ExpressionNode& node, ExpressionId a, Exp
         if (node.operation == Rem) return p.subtract(a, p.multiply(truncated(p.divide(a, b)), b));
     }
     switch (node.operation) {
-        case If:
-            return p.ifThenElse(a, b, c);
         case Table:
             return p.table(LookupTable(p.tables()[static_cast<std::size_t>(node.value)]), a);
         case TableDerivative:
@@ -247,8 +258,8 @@ void Partition::rewriteContinuous() {
         model_->equations[e].right = right;
     }
     for (FlatEquation& e : model_->initialEquations) {
-        e.left = frozen(e.left);
-        e.right = frozen(e.right);
+        e.left = frozenAtEvents(e.left);
+        e.right = frozenAtEvents(e.right);
     }
 }
 
@@ -256,12 +267,12 @@ void Partition::rewriteDiscrete() {
     for (const auto& [id, equation] : equationOf_)
         for (const auto& [target, value] : discrete_[equation].ways)
             if (target.value == id) values_[id] = frozen(value);
-    for (auto& [id, value] : initial_) value = frozen(value);
+    for (auto& [id, value] : initial_) value = frozenAtEvents(value);
     for (const auto& [before, of] : running_)
         out_.leftLimits.emplace_back(slotOf_[before.value], readingOf(pool().variable(of)));
     for (FlatEvents::Reinit& reinit : events_.reinits) {
         reinit.condition = frozen(reinit.condition);
-        reinit.value = frozen(reinit.value);
+        reinit.value = frozenAtEvents(reinit.value);
     }
     for (FlatEvents::Check& check : events_.checks) check.condition = frozen(check.condition);
     for (FlatEvents::Subscript& subscript : events_.subscripts) subscript.index = frozen(subscript.index);

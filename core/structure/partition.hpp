@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -51,18 +52,25 @@ private:
         ExpressionId rest;
     };
     std::optional<OfTime> ofTime(ExpressionId id);
+    bool isAtEventsAlone(ExpressionId id);
+    bool isChange(ExpressionId a, ExpressionId b, bool isOfOpposites);
     std::string textOf(Operation operation, ExpressionId a, ExpressionId b);
+    void addRelation(Operation operation, ExpressionId a, ExpressionId b);
+    void addWhole(ExpressionId of);
     ExpressionId relationSlot(Operation operation, ExpressionId a, ExpressionId b);
     ExpressionId wholeSlot(ExpressionId of);
     ExpressionId frozen(ExpressionId id);
+    ExpressionId frozenAtEvents(ExpressionId id);
     ExpressionId delayed(const ExpressionNode& node);
     static bool hasParts(const ExpressionNode& node);
-    ExpressionId frozenOf(const ExpressionNode& node, ExpressionId a, ExpressionId b, ExpressionId c);
+    ExpressionId frozenOf(const ExpressionNode& node, ExpressionId a, ExpressionId b);
+    ExpressionId frozenChoice(const ExpressionNode& node);
     void rewriteContinuous();
     void rewriteDiscrete();
     int step(ExpressionId id);
     int append(const DiscreteProgram::Step& made);
     void buildProgram();
+    void findReaders();
     void finish();
     std::shared_ptr<const FlatModel> outside();
     double startOf(const FlatVariable& v);
@@ -83,10 +91,14 @@ private:
     std::map<std::uint32_t, std::size_t> equationOf_;  // by variable
     std::map<std::uint32_t, ExpressionId> values_;     // by variable: what sets it
     std::map<std::uint32_t, bool> runs_;
-    std::map<std::uint32_t, ExpressionId> frozen_;
+    std::set<std::uint32_t> momentary_;              // flags that are set while an event is worked out only
+    std::map<std::uint32_t, std::uint32_t> before_;  // by variable that is a slot: its pre()
+    bool isAtEvents_{};                              // what is frozen now is asked for at events alone
+    std::array<std::map<std::uint32_t, ExpressionId>, 2> frozen_;  // by isAtEvents_
+    std::map<std::uint32_t, bool> isAtEventsAlone_;
     std::map<std::uint32_t, int> readings_, stepOf_;
-    std::map<std::tuple<Operation, std::uint32_t, std::uint32_t>, ExpressionId> relationOf_;
-    std::map<std::uint32_t, ExpressionId> wholeOf_;
+    std::map<std::tuple<Operation, std::uint32_t, std::uint32_t>, std::size_t> relationOf_;
+    std::map<std::uint32_t, std::size_t> wholeOf_;
     std::vector<std::pair<std::size_t, ExpressionId>> relationOffsets_, wholeOffsets_;
     std::set<std::uint32_t> open_, delayed_;
 };
