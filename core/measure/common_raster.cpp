@@ -307,13 +307,27 @@ private:
                                           "known in that time",
                                           begin, end, named.name),
                                    file_.file, 0, 0, phrase("Map a channel that was recorded at the same time.")));
-        said_.push_back(warningOf(
-            file_,
-            phrase("from {:.6g} s to {:.6g} s all inputs are known; {} of {} stamps of the outputs lie outside and are "
-                   "left out",
-                   from, to, before - stamps_.size(), before),
-            phrase("The input '{}' is recorded for a shorter time.", named.name)));
+        tellExtent(from, to, before, named.name);
         return true;
+    }
+
+    /// Where channels are only looked at together there are neither inputs nor outputs.
+    void tellExtent(double from, double to, std::size_t before, const std::string& shorter) {
+        const std::size_t outside = before - stamps_.size();
+        if (request_.outputs.empty())
+            said_.push_back(warningOf(
+                file_,
+                phrase("from {:.6g} s to {:.6g} s every channel was recorded; {} of {} stamps lie outside and are not "
+                       "shown",
+                       from, to, outside, before),
+                phrase("The channel '{}' is recorded for a shorter time.", shorter)));
+        else
+            said_.push_back(warningOf(
+                file_,
+                phrase("from {:.6g} s to {:.6g} s all inputs are known; {} of {} stamps of the outputs lie outside and "
+                       "are left out",
+                       from, to, outside, before),
+                phrase("The input '{}' is recorded for a shorter time.", shorter)));
     }
 
     static std::pair<double, double> extentOf(const Own& own) {

@@ -298,6 +298,7 @@ private:
         }
         if (const Node format = node.member("time_format")) options.timeFormat = text(format);
         if (const Node zone = node.member("time_zone")) options.timeZone = text(zone);
+        if (const Node times = node.member("times")) options.times = readTimes(times);
         if (const Node encoding = node.member("encoding")) options.encoding = text(encoding);
         if (const Node names = node.member("unit_names")) readUnitNames(names, options);
         if (options.decimal && (options.decimal == options.separator || options.decimal == options.thousands))
@@ -306,10 +307,19 @@ private:
         Json unknown;
         keepUnknown(node,
                     {"separator", "decimal", "thousands", "skip", "header", "units", "time_format", "time_zone",
-                     "encoding", "unit_names"},
+                     "times", "encoding", "unit_names"},
                     phrase("\"read\""), unknown);
         if (!unknown.empty()) kept["read"] = unknown;
         return options;
+    }
+
+    TimeColumns readTimes(const Node& node) {
+        const std::string told = node.value->is_string() ? node.value->get<std::string>() : "";
+        if (told == "one") return TimeColumns::One;
+        if (told == "left") return TimeColumns::Left;
+        if (told == "right") return TimeColumns::Right;
+        expected(node, phrase("one, left or right"));
+        return TimeColumns::Found;
     }
 
     void readUnitNames(const Node& node, ReadOptions& options) {

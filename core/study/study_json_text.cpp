@@ -1,3 +1,4 @@
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "core/study/study.hpp"
@@ -42,6 +43,8 @@ Json readJson(const ReadOptions& read) {
     if (read.hasUnitsRow) json["units"] = *read.hasUnitsRow;
     if (!read.timeFormat.empty()) json["time_format"] = read.timeFormat;
     if (!read.timeZone.empty()) json["time_zone"] = read.timeZone;
+    constexpr std::array<const char*, 4> times{"", "one", "left", "right"};
+    if (read.times != TimeColumns::Found) json["times"] = times[static_cast<std::size_t>(read.times)];
     if (!read.encoding.empty()) json["encoding"] = read.encoding;
     for (const auto& [name, unit] : read.unitNames) json["unit_names"][name] = unit;
     return json;

@@ -1081,6 +1081,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>%1 Zeilen, %2 Spalten; alles in Ordnung.</translation>
     </message>
     <message>
+        <source>There are %1 times, each with channels of its own. Here they stand on the stamps of all, on straight lines between their own; a model takes each at its own.</source>
+        <translation>Es gibt %1 Zeiten, jede mit eigenen Kanälen. Hier stehen sie auf den Zeitpunkten aller, zwischen ihren eigenen auf geraden Linien; ein Modell nimmt jeden an seinen eigenen.</translation>
+    </message>
+    <message>
         <source>In SI units</source>
         <translation>In SI-Einheiten</translation>
     </message>
@@ -5276,6 +5280,10 @@ Relativer Standardfehler %1 %</translation>
         <translation>Noch gibt es nichts anzupassen: Parameter in der Liste anhaken.</translation>
     </message>
     <message>
+        <source>All values are those of the library yet: check the parameters that are to be found, and enter those that are known.</source>
+        <translation>Noch sind alle Werte die der Bibliothek: gesuchte Parameter anhaken und bekannte eintragen.</translation>
+    </message>
+    <message>
         <source>%1 does nothing there that the data show.</source>
         <translation>%1 bewirkt dort nichts, was die Daten zeigen.</translation>
     </message>
@@ -5496,6 +5504,26 @@ Relativer Standardfehler %1 %</translation>
     <message>
         <source>1 234 567.8 has blanks between thousands</source>
         <translation>1 234 567,8 hat Leerzeichen zwischen Tausendern</translation>
+    </message>
+    <message>
+        <source>Several times</source>
+        <translation>Mehrere Zeiten</translation>
+    </message>
+    <message>
+        <source>Where several columns are times: which of them a channel has</source>
+        <translation>Wo mehrere Spalten Zeiten sind: welche davon ein Kanal hat</translation>
+    </message>
+    <message>
+        <source>the first for all</source>
+        <translation>die erste für alle</translation>
+    </message>
+    <message>
+        <source>the one on the left</source>
+        <translation>die links davon</translation>
+    </message>
+    <message>
+        <source>the one on the right</source>
+        <translation>die rechts davon</translation>
     </message>
     <message>
         <source>apostrophe</source>
@@ -7760,8 +7788,68 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Als Eingänge werden sie mit "interpolation": "hold" von Zeile zu Zeile gehalten.</translation>
     </message>
     <message>
-        <source>{} columns of time: each channel belongs to the one on its left</source>
-        <translation>{} Zeitspalten: Jeder Kanal gehört zu der links von ihm</translation>
+        <source>{} columns of time: {}</source>
+        <translation>{} Zeitspalten: {}</translation>
+    </message>
+    <message>
+        <source>each channel belongs to the one on its left</source>
+        <translation>jeder Kanal gehört zu der links von ihm</translation>
+    </message>
+    <message>
+        <source>each channel belongs to the one on its right</source>
+        <translation>jeder Kanal gehört zu der rechts von ihm</translation>
+    </message>
+    <message>
+        <source>each channel belongs to the one that is as long</source>
+        <translation>jeder Kanal gehört zu der, die so lang ist wie er</translation>
+    </message>
+    <message>
+        <source>each channel has the time on its left</source>
+        <translation>jeder Kanal hat die Zeit links von ihm</translation>
+    </message>
+    <message>
+        <source>each channel has the time on its right</source>
+        <translation>jeder Kanal hat die Zeit rechts von ihm</translation>
+    </message>
+    <message>
+        <source>all channels have '{}'</source>
+        <translation>alle Kanäle haben „{}“</translation>
+    </message>
+    <message>
+        <source>'{}' and '{}' are both times and differ. Which channels have which?</source>
+        <translation>„{}“ und „{}“ sind beide Zeiten und verschieden. Welche Kanäle haben welche?</translation>
+    </message>
+    <message>
+        <source>'{}' and '{}' are both times and differ; all channels are taken to have '{}'</source>
+        <translation>„{}“ und „{}“ sind beide Zeiten und verschieden; für alle Kanäle gilt „{}“</translation>
+    </message>
+    <message>
+        <source>Where channels have times of their own, say it in the study: "read": {{"times": "left"}}, or "right".</source>
+        <translation>Wo Kanäle eigene Zeiten haben, in der Studie sagen: "read": {{"times": "left"}} oder "right".</translation>
+    </message>
+    <message>
+        <source>{} at {:.10g} {}</source>
+        <translation>{} bei {:.10g} {}</translation>
+    </message>
+    <message>
+        <source>one, left or right</source>
+        <translation>one, left oder right</translation>
+    </message>
+    <message>
+        <source>from {:.6g} s to {:.6g} s every channel was recorded; {} of {} stamps lie outside and are not shown</source>
+        <translation>von {:.6g} s bis {:.6g} s ist jeder Kanal aufgezeichnet; {} von {} Zeitpunkten liegen außerhalb und werden nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>The channel '{}' is recorded for a shorter time.</source>
+        <translation>Der Kanal „{}“ ist über eine kürzere Zeit aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>no bounds are given for {}; what is positive is looked for within a factor of 1000 of its start value</source>
+        <translation>für {} sind keine Grenzen angegeben; was positiv ist, wird innerhalb eines Faktors 1000 um seinen Startwert gesucht</translation>
+    </message>
+    <message>
+        <source>{} parameters, first {}</source>
+        <translation>{} Parameter, zuerst {}</translation>
     </message>
     <message>
         <source>the stamps in column '{}' have too few digits: about {} rows share each; they are laid on an even raster of {:.6g} {}</source>
@@ -14387,6 +14475,10 @@ Bitte den Namen prüfen.</translation>
 </context>
 <context>
     <name>WindowWords</name>
+    <message>
+        <source>Where channels have times of their own, say it at the import, under Several times.</source>
+        <translation>Wo Kanäle eigene Zeiten haben, beim Import unter „Mehrere Zeiten“ sagen.</translation>
+    </message>
     <message>
         <source>Nothing leads to {} yet: connect it, or write an equation for it.</source>
         <translation>Zu {} führt noch nichts: verbinden oder eine Gleichung dafür schreiben.</translation>

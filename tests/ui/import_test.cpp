@@ -244,6 +244,7 @@ TEST_F(Import, EverythingAStudyCanTellIsAFieldOfThePage) {
     all.hasUnitsRow = true;
     all.timeFormat = "%d.%m.%Y %H:%M:%S";
     all.timeZone = "Europe/Berlin";
+    all.times = TimeColumns::Right;
     all.encoding = "windows-1252";
     ReadFields fields;
     EXPECT_EQ(fields.options(), ReadOptions{});

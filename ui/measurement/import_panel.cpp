@@ -346,6 +346,15 @@ void ImportPanel::tellProblems(const Diagnostics& problems) {
     problems_->setText(linked.join("<br>"));
 }
 
+/// What is shown between two samples of a slow channel was not measured.
+void ImportPanel::tellRates() {
+    const QString rates = tr("There are %1 times, each with channels of its own. Here they stand on the stamps of all, "
+                             "on straight lines between their own; a model takes each at its own.")
+                              .arg(file_->others.size() + 1);
+    told_ += ' ' + rates;
+    problems_->setText(problems_->text() + ' ' + rates.toHtmlEscaped());
+}
+
 void ImportPanel::showPreview(Preview preview) {
     const Diagnostics problems = preview.table.diagnostics();
     table_ = preview.table ? *preview.table : nullptr;
@@ -366,6 +375,7 @@ void ImportPanel::showPreview(Preview preview) {
                                                           : tr("%1 rows, %2 columns; a question is open."))
                                        .arg(style::countText(table_->rows()))
                                        .arg(table_->columns.size()));
+    if (table_ && !file_->others.empty()) tellRates();
     TableModel::Problems byLine;
     for (const Diagnostic& d : problems)
         if (d.place.line > 0) byLine.emplace(d.place.line, inWords(d.message));

@@ -100,6 +100,7 @@ private:
     void ask(const Preview& preview);
     void takeAnswer(const ReadOptions& options);
     void tellProblems(const Diagnostics& problems);
+    void tellRates();
     void allowAccept();
     void accept();
     QString freeName() const;

@@ -69,6 +69,10 @@ ReadFields::ReadFields(QWidget* parent) : QWidget(parent), grid_(new QGridLayout
                 tr("How dates and clocks are written: %d.%m.%Y %H:%M:%S. Of rows without a time the step from "
                    "one to the next: 0.001 s or 1 kHz. Of a time without a unit the unit: ms"));
     timeZone_ = addLine(tr("Time zone"), QStringLiteral("Europe/Berlin"), tr("Of stamps that do not tell it"));
+    times_ = addChoice(tr("Several times"), tr("Where several columns are times: which of them a channel has"));
+    times_->addItem(tr("the first for all"), static_cast<int>(TimeColumns::One));
+    times_->addItem(tr("the one on the left"), static_cast<int>(TimeColumns::Left));
+    times_->addItem(tr("the one on the right"), static_cast<int>(TimeColumns::Right));
     encoding_ = addChoice(tr("Letters"), tr("How the bytes of the file are letters"));
     for (const char* name : {"utf-8", "windows-1252", "iso-8859-1", "utf-16le", "utf-16be", "utf-32le", "utf-32be"})
         encoding_->addItem(QString(name), QString(name));
@@ -77,7 +81,7 @@ ReadFields::ReadFields(QWidget* parent) : QWidget(parent), grid_(new QGridLayout
     more_->setText(tr("More about how it is written"));
     more_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     more_->setArrowType(Qt::RightArrow);
-    grid_->addWidget(more_, 2 * (cells_ / columns), 0, 1, columns, Qt::AlignLeft);
+    grid_->addWidget(more_, 2 * ((cells_ + columns - 1) / columns), 0, 1, columns, Qt::AlignLeft);
     connect(more_, &QToolButton::toggled, this, &ReadFields::showRest);
     showRest(false);
 }
@@ -137,6 +141,7 @@ ReadOptions ReadFields::options() const {
     const QString time = timeFormat_->text().trimmed();
     options.timeFormat = typedInterval(time).value_or(time.toStdString());
     options.timeZone = timeZone_->text().trimmed().toStdString();
+    options.times = static_cast<TimeColumns>(times_->currentData().toInt());  // 0: automatic
     options.encoding = encoding_->currentData().toString().toStdString();
     options.unitNames = unitNames_;
     return options;
@@ -151,6 +156,8 @@ void ReadFields::show(const ReadOptions& options) {
     units_->setCurrentIndex(!options.hasUnitsRow ? 0 : *options.hasUnitsRow ? 1 : 2);
     timeFormat_->setText(QString::fromStdString(options.timeFormat));
     timeZone_->setText(QString::fromStdString(options.timeZone));
+    times_->setCurrentIndex(options.times == TimeColumns::Found ? 0
+                                                                : times_->findData(static_cast<int>(options.times)));
     encoding_->setCurrentIndex(std::max(0, encoding_->findData(QString::fromStdString(options.encoding))));
     unitNames_ = options.unitNames;
     ReadOptions rest = options;

@@ -40,7 +40,7 @@ private:
 
     QGridLayout* grid_;
     int cells_{};
-    QComboBox *separator_, *decimal_, *units_, *thousands_, *encoding_;
+    QComboBox *separator_, *decimal_, *units_, *thousands_, *times_, *encoding_;
     QLineEdit *skip_, *header_, *timeFormat_, *timeZone_;
     std::map<std::string, std::string> unitNames_;  // that were answered
     QToolButton* more_;

@@ -137,6 +137,9 @@ const std::map<std::string_view, const char*>& windowSentences() {
          "Say it at the import, where it is asked: '{}' is '{}'."},
         {"{}: {}; give the column \"scale\": -1 in the study, and search again",
          "{}: {}; give its column a scale of -1, and search again"},
+        {"Where channels have times of their own, say it in the study: \"read\": {{\"times\": "
+         "\"left\"}}, or \"right\".",
+         "Where channels have times of their own, say it at the import, under Several times."},
         {"Say it in the study: \"read\": {{\"time_format\": \"%j:%H:%M:%S\"}} or \"%H:%M:%S:%f\".",
          "Say it at the import, as the form of the time: %j:%H:%M:%S or %H:%M:%S:%f."},
         {"Say it in the study: \"read\": {{\"time_format\": \"{}\"}} or {{\"time_format\": \"s\"}}.",

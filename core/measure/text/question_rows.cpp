@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "core/measure/encoding.hpp"
 #include "core/measure/mapped_file.hpp"
@@ -51,7 +52,13 @@ std::optional<std::int64_t> momentOf(const std::string& start) {
 
 using ValuesByLine = std::map<int, Text>;
 
-ValuesByLine valuesOf(const TextFile& file, const TextGroup& group, std::size_t index) {
+/// "0.5 A at 0.02 s": readings that differ in the times of the channels alone have the same values.
+Text withTime(Text value, const TextGroup& group, std::size_t row) {
+    const Column& time = group.table.columns[*group.time];
+    return phrase("{} at {:.10g} {}", std::move(value), time.values[row], time.unit.empty() ? "s" : time.unit);
+}
+
+ValuesByLine valuesOf(const TextFile& file, const TextGroup& group, std::size_t index, bool isOfTimes) {
     const Column& column = group.table.columns[index];
     const std::optional<std::int64_t> start = group.time == index ? momentOf(file.start) : std::nullopt;
     ValuesByLine values;
@@ -67,6 +74,7 @@ ValuesByLine valuesOf(const TextFile& file, const TextGroup& group, std::size_t 
             const bool isNumber = column.unit.empty() || column.unit == "1";
             text = isNumber ? phrase("{:.10g}", value) : phrase("{:.10g} {}", value, column.unit);
         }
+        if (isOfTimes && group.time && group.time != index) text = withTime(std::move(text), group, row);
     }
     return values;
 }
@@ -74,13 +82,24 @@ ValuesByLine valuesOf(const TextFile& file, const TextGroup& group, std::size_t 
 /// The values of all columns of numbers, by name.
 using Columns = std::vector<std::pair<std::string, ValuesByLine>>;
 
-Columns columnsOf(const std::optional<TextFile>& file) {
+/// What is a time in one of the readings at least.
+std::set<std::string> timesIn(const std::vector<std::optional<TextFile>>& readings) {
+    std::set<std::string> times;
+    for (const std::optional<TextFile>& file : readings)
+        if (file)
+            for (const TextGroup& group : file->groups)
+                if (group.time) times.insert(group.table.columns[*group.time].name);
+    return times;
+}
+
+/// `apart`: names of columns that are left out; none: values are shown without their times.
+Columns columnsOf(const std::optional<TextFile>& file, const std::set<std::string>& apart) {
     Columns columns;
     if (!file) return columns;
     for (const TextGroup& group : file->groups)
         for (std::size_t i = 0; i < group.kinds.size(); ++i)
-            if (group.kinds[i] != CellKind::Words)
-                columns.emplace_back(group.table.columns[i].name, valuesOf(*file, group, i));
+            if (group.kinds[i] != CellKind::Words && !apart.contains(group.table.columns[i].name))
+                columns.emplace_back(group.table.columns[i].name, valuesOf(*file, group, i, !apart.empty()));
     return columns;
 }
 
@@ -160,12 +179,18 @@ QuestionRows rowsUnder(std::string_view bytes, const std::string& name, const Qu
     if (isWideText(bytes)) bytes = decoded = decodeText(bytes);
     if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
     const std::string_view head = headFor(bytes, question);
-    std::vector<Columns> readings;
+    std::vector<std::optional<TextFile>> files;
     for (const Reading& reading : question.readings) {
         ReadOptions options = reading.options;
         if (!decoded.empty()) options.encoding.clear();
-        readings.push_back(columnsOf(readHead(head, name, options)));
+        files.push_back(readHead(head, name, options));
     }
+    const bool isOfTimes = std::any_of(question.readings.begin(), question.readings.end(), [&](const Reading& reading) {
+        return reading.options.times != question.readings.front().options.times;
+    });
+    const std::set<std::string> apart = isOfTimes ? timesIn(files) : std::set<std::string>{};
+    std::vector<Columns> readings;
+    for (const std::optional<TextFile>& file : files) readings.push_back(columnsOf(file, apart));
     return RowFinder(head, std::move(readings), most).find();
 }
 

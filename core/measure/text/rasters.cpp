@@ -3,58 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/unit.hpp"
+#include "core/measure/text/channel_times.hpp"
 #include "core/measure/text/column_meaning.hpp"
 #include "core/measure/text/remark.hpp"
 #include "core/measure/text/time_column.hpp"
-#include "core/measure/time_name.hpp"
 
 namespace analogon {
 
 namespace {
-
-/// The same rows, and everywhere the same distance.
-bool isSameRaster(const Column& a, const Column& b) {
-    double shift = NAN;
-    for (std::size_t i = 0; i < a.values.size(); ++i) {
-        if (std::isnan(a.values[i]) != std::isnan(b.values[i])) return false;
-        if (std::isnan(a.values[i])) continue;
-        const double difference = b.values[i] - a.values[i];
-        if (std::isnan(shift)) shift = difference;
-        if (std::abs(difference - shift) > 1e-9 * (std::abs(a.values[i]) + std::abs(b.values[i]))) return false;
-    }
-    return true;
-}
-
-/// "t1" and "t2", "X" and "X_2": one name and a number behind it.
-bool isNumberedAs(const std::string& a, const std::string& b) {
-    const auto withoutNumber = [](const std::string& name) {
-        return name.substr(0, name.find_last_not_of("0123456789_ .#") + 1);
-    };
-    return a != b && !withoutNumber(a).empty() && withoutNumber(a) == withoutNumber(b);
-}
-
-bool isTime(const RawTable& raw, std::size_t index, std::size_t first) {
-    const Column& column = raw.table.columns[index];
-    const Column& other = raw.table.columns[first];
-    const bool isNumbered =
-        isNumberedAs(column.name, other.name) &&
-        (column.header == other.header || (!column.unit.empty() && areConvertible(column.unit, "s")));
-    const bool isNamed = namesTime(column.name) || isNumbered;
-    if (raw.kinds[index] == CellKind::Words || !isNamed) return false;
-    const bool mayBe = column.unit.empty() || areConvertible(column.unit, "s");
-    return mayBe && rises(column.values);
-}
-
-/// Where each raster begins: columns of time that have channels on their right and other stamps than the first.
-std::vector<std::size_t> timesOf(const RawTable& raw, std::size_t first) {
-    std::vector<std::size_t> times{first};
-    for (std::size_t i = first + 1; i + 1 < raw.kinds.size(); ++i)
-        if (i > times.back() + 1 && isTime(raw, i, first) &&
-            !isSameRaster(raw.table.columns[times.back()], raw.table.columns[i]))
-            times.push_back(i);
-    return times;
-}
 
 template <class Value>
 std::vector<Value> kept(const std::vector<Value>& values, const std::vector<std::size_t>& rows) {
@@ -65,25 +21,24 @@ std::vector<Value> kept(const std::vector<Value>& values, const std::vector<std:
     return out;
 }
 
-/// The columns [begin, end) in the rows in which their time has a stamp.
-TextGroup cutGroup(const RawTable& raw, const std::vector<std::vector<StatusText>>& statuses, std::size_t begin,
-                   std::size_t end, std::size_t time) {
+/// The columns of one time in the rows in which it has a stamp.
+TextGroup cutGroup(const RawTable& raw, const std::vector<std::vector<StatusText>>& statuses, const ChannelTime& over) {
     TextGroup group;
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; i < raw.table.lines.size(); ++i)
-        if (!std::isnan(raw.table.columns[time].values[i])) rows.push_back(i);
+        if (!std::isnan(raw.table.columns[over.time].values[i])) rows.push_back(i);
     group.table.file = raw.table.file;
     group.table.lines = kept(raw.table.lines, rows);
-    for (std::size_t i = begin; i < end; ++i) {
+    for (const std::size_t i : over.columns) {
         const Column& from = raw.table.columns[i];
         Column column{from.name, from.unit, kept(from.values, rows), {}, from.header, from.line, from.position};
         column.blanks = blanksOf(column.values);
+        if (i == over.time) group.time = group.table.columns.size();
         group.table.columns.push_back(std::move(column));
         group.kinds.push_back(raw.kinds[i]);
         group.words.push_back(raw.words[i].size() == 0 ? WordSeries{} : raw.words[i].only(rows));
         group.statuses.push_back(statuses[i]);
     }
-    group.time = time - begin;
     return group;
 }
 
@@ -144,7 +99,8 @@ void tellAll(Diagnostics& told, Diagnostics more) {
     for (Diagnostic& each : more) told.push_back(std::move(each));
 }
 
-std::vector<TextGroup> cutGroups(RawTable raw, const std::optional<NamedRows>& named, Diagnostics& told) {
+std::vector<TextGroup> cutGroups(RawTable raw, const std::optional<NamedRows>& named, const ReadOptions& options,
+                                 Diagnostics& told, Questions& asked) {
     std::vector<std::vector<StatusText>> statuses = readSwitches(raw);
     for (std::size_t i = 0; i < statuses.size(); ++i)
         if (!statuses[i].empty())
@@ -159,16 +115,12 @@ std::vector<TextGroup> cutGroups(RawTable raw, const std::optional<NamedRows>& n
         return channels ? std::move(*channels) : std::vector<TextGroup>{};
     }
     if (time) tellAll(told, tellMixedRows(raw, *time));
-    const std::vector<std::size_t> times = time ? timesOf(raw, *time) : std::vector<std::size_t>{};
-    if (times.size() < 2) {
+    const std::vector<ChannelTime> times =
+        time ? timesOfChannels(raw, *time, options, told, asked) : std::vector<ChannelTime>{};
+    if (times.size() < 2)
         groups.push_back(wholeGroup(std::move(raw), std::move(statuses), time));
-    } else {
-        for (std::size_t k = 0; k < times.size(); ++k)
-            groups.push_back(cutGroup(raw, statuses, k == 0 ? 0 : times[k],
-                                      k + 1 < times.size() ? times[k + 1] : raw.kinds.size(), times[k]));
-        told.push_back(remark(phrase("{} columns of time: each channel belongs to the one on its left", times.size()),
-                              raw.table.file));
-    }
+    else
+        for (const ChannelTime& over : times) groups.push_back(cutGroup(raw, statuses, over));
     return groups;
 }
 
@@ -177,7 +129,7 @@ std::vector<TextGroup> cutGroups(RawTable raw, const std::optional<NamedRows>& n
 std::vector<TextGroup> groupsOf(RawTable raw, const std::optional<NamedRows>& named,
                                 const std::map<std::string, std::string>& comments, const ReadOptions& options,
                                 Diagnostics& told, Questions& asked) {
-    std::vector<TextGroup> groups = cutGroups(std::move(raw), named, told);
+    std::vector<TextGroup> groups = cutGroups(std::move(raw), named, options, told, asked);
     for (TextGroup& group : groups) {
         for (const Column& column : group.table.columns) {
             const auto comment = comments.find(column.name);

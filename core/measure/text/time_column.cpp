@@ -9,6 +9,7 @@
 #include "core/base/unit.hpp"
 #include "core/measure/column_header.hpp"
 #include "core/measure/counted_time.hpp"
+#include "core/measure/text/channel_times.hpp"
 #include "core/measure/text/remark.hpp"
 #include "core/measure/text/time_format.hpp"
 #include "core/measure/text/written_clock.hpp"
@@ -111,7 +112,7 @@ std::optional<std::size_t> timeColumn(const Table& table, const std::vector<Cell
             bestRank = rank;
         }
     }
-    return best;
+    return best ? best : firstOfPairedTimes(table, kinds);
 }
 
 Diagnostics putOldestFirst(RawTable& raw) {

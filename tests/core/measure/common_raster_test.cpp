@@ -199,6 +199,23 @@ TEST(CommonRaster, AllChannelsCanBeLookedAtTogether) {
     EXPECT_EQ((*table)->find("y")->group, "slow");
 }
 
+TEST(CommonRaster, ChannelsThatAreOnlyLookedAtAreNoInputsOfAnything) {
+    auto file = std::make_shared<Table>(*recording());
+    const std::size_t rows = 40;
+    std::vector<double> times, values;
+    for (std::size_t i = 0; i < rows; ++i) {
+        times.push_back(0.082 * static_cast<double>(i));
+        values.push_back(1);
+    }
+    file->others = {group(2, "long", times, "u", values)};
+    const Outcome<std::shared_ptr<const Table>> table = allOnOneRaster(file);
+    ASSERT_TRUE(table) << format(table.diagnostics());
+    const std::string told = format(table.diagnostics());
+    EXPECT_THAT(told, HasSubstr("from 0 s to 3 s every channel was recorded"));
+    EXPECT_THAT(told, HasSubstr("The channel 'y' is recorded for a shorter time."));
+    EXPECT_THAT(told, testing::Not(HasSubstr("input")));
+}
+
 TEST(AllChannels, AreNamedWithoutReadingOrJoiningThem) {
     auto file = std::make_shared<Table>(*recording());
     const Table names = namesOfAll(*file);

@@ -37,11 +37,20 @@ TEST(RecordedStudy, TakesNoUnitForAnotherThatIsNone) {
     EXPECT_THAT(format(study.diagnostics()), HasSubstr("the unit \"kpa\" is not known"));
 }
 
+TEST(RecordedStudy, TakesNoOtherWordForTheTimesOfChannels) {
+    for (const char* told : {R"("both")", "1"}) {
+        const Outcome<Study> study =
+            withExperiment(std::string(R"("time": "t", "read": {"times": )") + told + "}, " + mapped);
+        ASSERT_FALSE(study) << told;
+        EXPECT_THAT(format(study.diagnostics()), HasSubstr("expected one, left or right"));
+    }
+}
+
 TEST(RecordedStudy, KeepsHowAFileIsReadOnTheWayThroughItsText) {
     const std::string members = R"("time": {"column": "t", "group": "fast"},
       "read": {"separator": ";", "decimal": ",", "thousands": ".", "skip": 3, "header": 2, "units": true,
                "time_format": "%d.%m.%Y %H:%M:%S", "time_zone": "Europe/Berlin", "encoding": "windows-1252",
-               "unit_names": {"kpa": "kPa", "counts": "1"}},
+               "times": "left", "unit_names": {"kpa": "kPa", "counts": "1"}},
       "raster": {"column": "w", "group": 2},
       "inputs": {"u": {"column": "U", "sheet": "Messung"}}, "outputs": {"y": {"column": "Y", "group": 3}})";
     const Outcome<Study> study = withExperiment(members);
@@ -56,6 +65,7 @@ TEST(RecordedStudy, KeepsHowAFileIsReadOnTheWayThroughItsText) {
     EXPECT_EQ(e.read.hasUnitsRow, true);
     EXPECT_EQ(e.read.timeZone, "Europe/Berlin");
     EXPECT_EQ(e.read.encoding, "windows-1252");
+    EXPECT_EQ(e.read.times, TimeColumns::Left);
     EXPECT_EQ(e.read.unitNames.at("kpa"), "kPa");
     EXPECT_EQ(e.raster, (Raster{Raster::Kind::Channel, {"w", {"", 2, false}}, 0}));
     EXPECT_EQ(e.inputs.at("u").group, (GroupName{"Messung", 0, true}));
