@@ -5,6 +5,7 @@
 
 #include "core/fit/clock.hpp"
 #include "core/flat/range.hpp"
+#include "core/study/default_bounds.hpp"
 
 namespace analogon {
 
@@ -95,6 +96,7 @@ void ParameterReader::read(std::vector<FitParameter>& fitted, std::vector<std::p
             set.emplace_back(name, *parameter.value);
         }
     }
+    tellDefaultBounds();
 }
 
 /// A fit takes the place of a binding to other parameters, and reaches what the model protects.
@@ -129,6 +131,27 @@ void ParameterReader::setBounds(const StudyParameter& parameter, const FlatVaria
     }
 }
 
+/// Of what nobody has bounded and nothing is known of beforehand.
+void ParameterReader::setDefaultBounds(const FlatVariable& variable, double start, FitParameter& fitted) {
+    const std::optional<DefaultBounds> bounds = defaultBounds(variable.min, variable.max, start);
+    if (!bounds || !(bounds->min < bounds->max)) return;
+    fitted.min = bounds->min;
+    fitted.max = bounds->max;
+    unbounded_.push_back(variable.name);
+}
+
+void ParameterReader::tellDefaultBounds() {
+    constexpr std::size_t shown = 8;
+    const std::size_t count = unbounded_.size();
+    if (count == 0) return;
+    unbounded_.resize(std::min(shown, count));
+    Text which = count <= shown ? listed(unbounded_) : phrase("{} parameters, first {}", count, listed(unbounded_));
+    said_.push_back(places_.remark("/parameters",
+                                   phrase("no bounds are given for {}; what is positive is looked for within a factor "
+                                          "of 1000 of its start value",
+                                          std::move(which))));
+}
+
 void ParameterReader::readFitted(const std::string& name, const StudyParameter& parameter, const FlatVariable& variable,
                                  const std::string& pointer, std::vector<FitParameter>& all) {
     const std::optional<double> start = parameter.value ? parameter.value : model_.parameterValue(model_.find(name));
@@ -142,6 +165,7 @@ void ParameterReader::readFitted(const std::string& name, const StudyParameter& 
     fitted.scale = parameter.scale;
     fitted.prior = parameter.prior;
     setBounds(parameter, variable, pointer, fitted);
+    if (!parameter.min && !parameter.max && !parameter.prior) setDefaultBounds(variable, *start, fitted);
     if (!(fitted.min < fitted.max))
         return fault(pointer, phrase("'{}' has no room between its bounds {} and {}", name, fitted.min, fitted.max),
                      phrase("Widen the bounds, or do not fit it: \"fit\": false."));

@@ -33,12 +33,15 @@ private:
     void tellWhatIsPassedOver(const FlatVariable& variable, const std::string& pointer);
     void setBounds(const StudyParameter& parameter, const FlatVariable& variable, const std::string& pointer,
                    FitParameter& fitted);
+    void setDefaultBounds(const FlatVariable& variable, double start, FitParameter& fitted);
+    void tellDefaultBounds();
     void checkClock(const std::string& output, const std::string& pointer);
 
     const Study& study_;
     const StudyPlaces& places_;
     const FlatModel& model_;
     Diagnostics& said_;
+    std::vector<std::string> unbounded_;           // that are fitted and have no bounds of their own
     std::vector<std::string> names_, startNames_;  // what may be meant by a name that is not known
 };
 

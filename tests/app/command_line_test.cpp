@@ -334,6 +334,71 @@ TEST_F(CommandLine, RefusesAFitOfNothing) {
     EXPECT_EQ(run({"simulate", directory.string(), "--out", (scratch / "out").string()}).status, done);
 }
 
+constexpr const char* drive = R"(model Drive
+  Analogon.ElectricMechanical.BasicElectricMechanical m;
+  Analogon.Mechanics.Inertia rotor;
+  Analogon.Mechanics.ViscousLoad load;
+  Analogon.Sensors.SpeedSensor sensor;
+  Analogon.Interfaces.RealInput u;
+  Analogon.Interfaces.RealOutput w;
+  Analogon.Interfaces.RealOutput i;
+equation
+  connect(u, m.v);
+  connect(m.flange, rotor.flange_a);
+  connect(rotor.flange_b, load.flange);
+  connect(rotor.flange_b, sensor.flange);
+  connect(sensor.w, w);
+  connect(m.i, i);
+end Drive;
+)";
+
+/// Of a motor without an inductance: R = 0.4, k = 0.12, J = 0.01, b = 0.003.
+std::string driveData() {
+    constexpr double step = 1e-4;
+    constexpr int rows = 300, stepsOfRow = 100;
+    const auto voltage = [](double t) { return 6 - 6 * std::cos(3 * t) + 2 * std::sin(11 * t); };
+    std::ostringstream csv;
+    csv << "t [s],u [V],i [A],w [rad/s]\n";
+    double speed = 0;
+    for (int row = 0; row < rows; ++row) {
+        const double t = 0.01 * row;
+        const auto current = [&](double at) { return (voltage(at) - 0.12 * speed) / 0.4; };
+        csv << t << ',' << voltage(t) << ',' << current(t) + 0.01 * ((row * 7919) % 13 - 6) / 6 << ','
+            << speed + 0.05 * ((row * 104729) % 11 - 5) / 5 << '\n';
+        for (int k = 0; k < stepsOfRow; ++k) speed += step * (0.12 * current(t + k * step) - 0.003 * speed) / 0.01;
+    }
+    return csv.str();
+}
+
+std::string driveStudy(const std::string& parameters) {
+    return R"({"format": "analogon-study-1", "class": "Drive", "experiments": [{"name": "drive", "role": "fit",
+  "file": "step.csv", "time": "t", "inputs": {"u": "u"}, "outputs": {"w": "w", "i": "i"}}], "parameters": {)" +
+           parameters + "}}";
+}
+
+/// From the values of the library, without a bound: the inductance went to 0, where the model has no solution.
+TEST_F(CommandLine, FitsPositiveQuantitiesWithoutBoundsAsTheWindowDoes) {
+    const fs::path directory = study(drive, driveData());
+    std::ofstream(directory / "study.json") << driveStudy(R"("m.R": {"fit": true}, "m.L": {"fit": true},
+        "m.k": {"fit": true}, "rotor.J": {"fit": true}, "load.b": {"fit": true})");
+    const Result fitted = run({"fit", directory.string(), "--out", (scratch / "out").string()});
+    ASSERT_EQ(fitted.status, done) << fitted.err;
+    const char* const remark =
+        "no bounds are given for load.b, m.L, m.R, m.k and rotor.J; what is positive is looked for within a factor of "
+        "1000 of its start value";
+    EXPECT_THAT(fitted.err, HasSubstr(remark));
+    const std::string text = contentOf(scratch / "out" / "report.json");
+    EXPECT_THAT(text, HasSubstr(remark));
+    const nlohmann::json report = nlohmann::json::parse(text);
+    const auto valueOf = [&](const char* name) { return report["parameters"][name]["value"].get<double>(); };
+    EXPECT_NEAR(valueOf("m.R"), 0.4, 0.01);
+    EXPECT_NEAR(valueOf("m.k"), 0.12, 0.01);
+    EXPECT_NEAR(valueOf("load.b") / valueOf("rotor.J"), 0.3, 0.01);
+    EXPECT_GE(valueOf("m.L"), 1e-6);
+    std::ofstream(directory / "study.json") << driveStudy(R"("m.R": {"fit": true, "min": 0.1, "max": 10})");
+    EXPECT_THAT(run({"check", directory.string()}).err, Not(HasSubstr("no bounds are given")));
+}
+
 TEST_F(CommandLine, HoldsTheRangeOfAParameterInEveryCommand) {
     std::string text = lag;
     text.replace(text.find("T(unit=\"s\") = 1"), 15, "T(unit=\"s\", min=0) = -1");

@@ -1,16 +1,15 @@
 #include "ui/inspector/default_bounds.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "core/study/default_bounds.hpp"
 
 namespace analogon::ui {
 
 void giveDefaultBounds(StudyParameter& setting, const ParameterFact& fact, double value) {
-    constexpr double reach = 1e3;
-    const bool isPositive = fact.min && *fact.min >= 0 && value > 0 && std::isfinite(value);
-    if (!isPositive || setting.min || setting.max || setting.prior) return;
-    setting.min = std::max(*fact.min, value / reach);
-    setting.max = fact.max ? std::min(*fact.max, value * reach) : value * reach;
+    if (setting.min || setting.max || setting.prior) return;
+    if (const std::optional<DefaultBounds> bounds = defaultBounds(fact.min, fact.max, value)) {
+        setting.min = bounds->min;
+        setting.max = bounds->max;
+    }
 }
 
 }  // namespace analogon::ui
