@@ -1,3 +1,4 @@
+#include <QAbstractItemView>
 #include <QAction>
 #include <QDockWidget>
 #include <QLabel>
@@ -6,8 +7,10 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
+#include <QStatusBar>
 #include <QTableView>
 #include <QTreeView>
 #include <QTreeWidget>
@@ -20,6 +23,7 @@
 #include "ui/canvas/diagram_view.hpp"
 #include "ui/effect/finding_words.hpp"
 #include "ui/effect/result_panel.hpp"
+#include "ui/fit/fit_panel.hpp"
 #include "ui/inspector/parameter_model.hpp"
 #include "ui/inspector/parameter_panel.hpp"
 #include "ui/library/chooser.hpp"
@@ -46,6 +50,29 @@ protected:
         QTest::mouseClick(at, Qt::LeftButton, {}, centreOf(block));
         QTest::mouseDClick(at, Qt::LeftButton, {}, centreOf(block));
         QTest::mouseRelease(at, Qt::LeftButton, {}, centreOf(block));
+    }
+    /// A motor with the values of the library, over a recording of the pump.
+    void drawMotor() {
+        window.open(QStringLiteral(ANALOGON_ROOT "/examples/water-pump"));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen() && document().before(); }, 20000));
+        StudySettings settings = document().settings();
+        settings.parameters.clear();
+        settings.experiments.resize(1);
+        settings.experiments[0].outputs = {{"i", settings.experiments[0].outputs.at("i_mot")},
+                                           {"w", settings.experiments[0].outputs.at("w_pump")}};
+        settings.experiments[0].inputs = {{"u", settings.experiments[0].inputs.at("v_cmd")}};
+        document().applySettings(settings, "as it begins");
+        document().typeText(
+            "model WaterPump\n  Analogon.Interfaces.RealInput u(unit=\"V\");\n  Analogon.Interfaces.RealOutput "
+            "i(unit=\"A\");\n"
+            "  Analogon.Interfaces.RealOutput w(unit=\"rad/s\");\n"
+            "  Analogon.ElectricMechanical.BasicElectricMechanical motor;\n  Analogon.Mechanics.Inertia inertia;\n"
+            "  Analogon.Mechanics.ViscousLoad load;\n  Analogon.Sensors.SpeedSensor speed;\nequation\n"
+            "  connect(u, motor.v);\n  connect(motor.i, i);\n  connect(motor.flange, inertia.flange_a);\n"
+            "  connect(inertia.flange_b, load.flange);\n  connect(inertia.flange_b, speed.flange);\n"
+            "  connect(speed.w, w);\nend WaterPump;\n");
+        ASSERT_TRUE(QTest::qWaitFor(
+            [&] { return panel<ParameterPanel>()->model()->rowOf("inertia.J") >= 0 && document().before(); }, 20000));
     }
     QString chosenClass() const {
         return panel<LibraryPanel>()->tree()->currentIndex().data(LibraryModel::ClassNameRole).toString();
@@ -192,26 +219,7 @@ TEST_F(Met, AFitThatFailsShowsItsBestSaysWhatWentWhereAndOffersNothingToWrite) {
 
 /// As a user puts it together, without a bound: the parameters are those of the library.
 TEST_F(Met, AMotorOfTheLibraryIsFittedFromItsDefaults) {
-    window.open(QStringLiteral(ANALOGON_ROOT "/examples/water-pump"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen() && document().before(); }, 20000));
-    StudySettings settings = document().settings();
-    settings.parameters.clear();
-    settings.experiments.resize(1);
-    settings.experiments[0].outputs = {{"i", settings.experiments[0].outputs.at("i_mot")},
-                                       {"w", settings.experiments[0].outputs.at("w_pump")}};
-    settings.experiments[0].inputs = {{"u", settings.experiments[0].inputs.at("v_cmd")}};
-    document().applySettings(settings, "as it begins");
-    document().typeText(
-        "model WaterPump\n  Analogon.Interfaces.RealInput u(unit=\"V\");\n  Analogon.Interfaces.RealOutput "
-        "i(unit=\"A\");\n"
-        "  Analogon.Interfaces.RealOutput w(unit=\"rad/s\");\n"
-        "  Analogon.ElectricMechanical.BasicElectricMechanical motor;\n  Analogon.Mechanics.Inertia inertia;\n"
-        "  Analogon.Mechanics.ViscousLoad load;\n  Analogon.Sensors.SpeedSensor speed;\nequation\n"
-        "  connect(u, motor.v);\n  connect(motor.i, i);\n  connect(motor.flange, inertia.flange_a);\n"
-        "  connect(inertia.flange_b, load.flange);\n  connect(inertia.flange_b, speed.flange);\n"
-        "  connect(speed.w, w);\nend WaterPump;\n");
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return panel<ParameterPanel>()->model()->rowOf("inertia.J") >= 0 && document().before(); }, 20000));
+    ASSERT_NO_FATAL_FAILURE(drawMotor());
     QTableView* table = panel<ParameterPanel>()->table();
     for (const char* name : {"motor.R", "motor.L", "motor.k", "inertia.J", "load.b"}) {
         ASSERT_GE(panel<ParameterPanel>()->model()->rowOf(name), 0) << name;
@@ -229,6 +237,56 @@ TEST_F(Met, AMotorOfTheLibraryIsFittedFromItsDefaults) {
     EXPECT_LT(fitted.experiments.front().errorPercent, 1.5);
     EXPECT_FALSE(panel<ResultPanel>()->headline().contains("did not converge"));
     document().undoStack().setClean();
+}
+
+/// With values that nobody has told an effect would make up for every one of them.
+TEST_F(Met, ASearchOverTheValuesOfTheLibraryAsksForTheParametersFirst) {
+    ASSERT_NO_FATAL_FAILURE(drawMotor());
+    QTest::keyClick(&window, Qt::Key_F6);
+    EXPECT_FALSE(window.controller().isRunning());
+    EXPECT_TRUE(window.statusBar()->currentMessage().startsWith("All values are those of the library yet"))
+        << qPrintable(window.statusBar()->currentMessage());
+    EXPECT_TRUE(panel<ParameterPanel>()->table()->hasFocus());
+    // values that are known are told, and nothing need be fitted
+    ParameterModel* parameters = panel<ParameterPanel>()->model();
+    EXPECT_TRUE(parameters->setData(parameters->index(parameters->rowOf("motor.R"), ParameterModel::Value), "2.4",
+                                    Qt::EditRole));
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return document().modelText().contains("R=2.4") && document().before(); }, 20000));
+    QTest::keyClick(&window, Qt::Key_F6);
+    EXPECT_TRUE(window.controller().isRunning());
+    window.controller().cancel();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.controller().isRunning(); }, 60000));
+    document().undoStack().setClean();
+}
+
+/// Three scroll areas stood in one another: the wheel turned whichever happened to be under it.
+TEST_F(Met, TheListsOfRunsStandInNoOtherScrollArea) {
+    openLambda();
+    auto* runs = panel<FitPanel>();
+    for (QWidget* list : {static_cast<QWidget*>(runs->history()), static_cast<QWidget*>(runs->comparison())})
+        for (QWidget* around = list->parentWidget(); around && !around->isWindow(); around = around->parentWidget())
+            EXPECT_FALSE(qobject_cast<QAbstractScrollArea*>(around))
+                << list->accessibleName().toStdString() << " in " << around->metaObject()->className();
+    for (const QScrollArea* area : runs->findChildren<QScrollArea*>())
+        for (const QAbstractItemView* list : area->findChildren<QAbstractItemView*>())
+            EXPECT_NE(list->window(), runs->window()) << "only what a box drops down stands in one";
+}
+
+TEST(MetMenu, TheLanguageThatIsShownIsTickedWhoeverAskedForIt) {
+    for (const auto& [code, name] : {std::pair{"en", "English"}, std::pair{"de", "Deutsch"}}) {
+        Translator translator;
+        if (translator.loadLanguage(code)) QCoreApplication::installTranslator(&translator);
+        {
+            MainWindow window;
+            QStringList ticked;
+            for (const QAction* action : window.findChildren<QAction*>())
+                if ((action->text() == "English" || action->text() == "Deutsch") && action->isChecked())
+                    ticked << action->text();
+            EXPECT_EQ(ticked, QStringList{name});
+        }
+        QCoreApplication::removeTranslator(&translator);
+    }
 }
 
 TEST_F(Met, AValueAtABoundThatIsDeclaredOrTheSearchsOwnSaysAtWhichEndItIs) {

@@ -7,6 +7,7 @@
 #include "core/study/left_out.hpp"
 #include "core/study/marked_part.hpp"
 #include "core/study/measured.hpp"
+#include "ui/document/told_values.hpp"
 #include "ui/style/number.hpp"
 #include "ui/words/words.hpp"
 
@@ -180,11 +181,23 @@ std::vector<FaultyRecording> RunController::stillLeftOut(const Study& part) cons
     return known;
 }
 
+/// What has to be said of the parameters before such a run makes sense; empty: nothing. With the values of the library
+/// alone an effect would make up for every one of them.
+QString RunController::missingFor(RunKind kind) const {
+    if (kind == RunKind::Simulate || hasFitted(document_.study())) return {};
+    if (kind == RunKind::Fit) return tr("There is nothing to fit yet: check parameters in the list.");
+    const syntax::ClassDefinition* const model = document_.definition();
+    if (!model || document_.facts().parameters.empty() || isAnyValueTold(document_.study(), *model)) return {};
+    return tr(
+        "All values are those of the library yet: check the parameters that are to be found, and enter those that "
+        "are known.");
+}
+
 void RunController::start(RunKind kind, const RunOptions& options, const Study& part) {
     if (run_.isBusy()) return;
-    if (kind == RunKind::Fit && !hasFitted(document_.study())) {
+    if (const QString missing = missingFor(kind); !missing.isEmpty()) {
         Q_EMIT parametersWanted();
-        return Q_EMIT concluded(tr("There is nothing to fit yet: check parameters in the list."));
+        return Q_EMIT concluded(missing);
     }
     leaveEffect();
     document_.setRunMessages({});

@@ -55,6 +55,7 @@ private:
         std::set<std::string> recordings;
     };
     /// `part`: the study, or with some of its recordings alone.
+    QString missingFor(RunKind kind) const;
     void start(RunKind kind, const RunOptions& options, const Study& part);
     std::vector<FaultyRecording> stillLeftOut(const Study& part) const;
     void preview();
