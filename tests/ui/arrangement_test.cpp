@@ -121,6 +121,26 @@ TEST_F(Arrangements, WhatWasTriedIsFilteredAndGrouped) {
     EXPECT_EQ(list->topLevelItemCount(), all);
 }
 
+/// Words of the first two columns that are wider than these.
+QStringList wordsThatAreCut(QTreeWidget& list) {
+    QStringList cut;
+    for (QTreeWidgetItemIterator row(&list); *row; ++row) {
+        if (!(*row)->data(0, ResultPanel::RankRole).isValid()) continue;
+        for (const int column : {0, 1}) {
+            const QVariant own = (*row)->data(column, Qt::FontRole);
+            const QFontMetrics letters(own.isValid() ? own.value<QFont>() : list.font());
+            for (const QString& word : (*row)->text(column).split(u' '))
+                if (letters.horizontalAdvance(word) >
+                    list.visualItemRect(*row)
+                        .intersected(QRect(list.header()->sectionViewportPosition(column),
+                                           list.visualItemRect(*row).y(), list.columnWidth(column), 1))
+                        .width())
+                    cut << word;
+        }
+    }
+    return cut;
+}
+
 TEST_F(Arrangements, NamesOfWhatWasTriedHaveRoomInASmallWindow) {
     openLambda();
     document().setResult(RunKind::Discover,
@@ -143,11 +163,45 @@ TEST_F(Arrangements, NamesOfWhatWasTriedHaveRoomInASmallWindow) {
     EXPECT_GE(list->columnWidth(0), 12 * list->fontMetrics().averageCharWidth()) << "and not a syllable a line";
     EXPECT_GE(list->columnWidth(1), 12 * list->fontMetrics().averageCharWidth());
     EXPECT_FALSE(list->isColumnHidden(4)) << "the verdict stays";
+    for (const bool isByRound : {false, true}) {  // indented below the heading of its round
+        results->roundBox()->setChecked(isByRound);
+        QTest::qWait(50);
+        EXPECT_TRUE(shownFigures() == 0 || wordsThatAreCut(*list).isEmpty())
+            << wordsThatAreCut(*list).join(' ').toStdString();
+    }
     for (const QLabel* label : results->findChildren<QLabel*>())
         if (label->isVisible() && !label->text().isEmpty()) {
             EXPECT_GE(label->height(), label->heightForWidth(label->width())) << label->text().toStdString();
         }
     QTest::keyClick(&window, Qt::Key_F9);
+    document().undoStack().setClean();
+}
+
+TEST_F(Arrangements, WhichFiguresAreHiddenDependsOnThePresentWidthAlone) {
+    openLambda();
+    document().setResult(RunKind::Discover,
+                         sampleFinding(document(), "thermal.radiation", "Analogon.Effects.Thermal.Radiation",
+                                       "Heat radiation to constant surroundings", "element.solid", "port", "epsilon"),
+                         document().study());
+    auto* results = panel<ResultPanel>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return results->candidates() != nullptr; }, 5000));
+    QTreeWidget* list = results->candidates();
+    QTest::qWait(50);
+    const auto hiddenAt = [&](int width) {
+        list->setFixedWidth(width);
+        QCoreApplication::sendPostedEvents();
+        EXPECT_LE(std::abs(list->viewport()->width() - width), 20);
+        return std::pair{list->isColumnHidden(2), list->isColumnHidden(3)};
+    };
+    constexpr int least = 200, most = 900, step = 3;
+    std::vector<std::pair<bool, bool>> narrower, wider;
+    for (int width = most; width >= least; width -= step) narrower.push_back(hiddenAt(width));
+    const int last = most - step * (static_cast<int>(narrower.size()) - 1);
+    for (int width = last; width <= most; width += step) wider.push_back(hiddenAt(width));
+    EXPECT_EQ(narrower.front(), (std::pair{false, false}));
+    EXPECT_EQ(narrower.back(), (std::pair{true, true}));
+    std::reverse(wider.begin(), wider.end());
+    EXPECT_EQ(narrower, wider) << "whether the panel was wider or narrower before does not matter";
     document().undoStack().setClean();
 }
 

@@ -4,6 +4,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QStyleOptionHeader>
 #include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -48,6 +49,38 @@ bool isLess(const QTreeWidgetItem* a, const QTreeWidgetItem* b, int column, Qt::
     const QVariant left = a->data(column, ResultPanel::FigureRole), right = b->data(column, ResultPanel::FigureRole);
     if (!left.isValid() || !right.isValid()) return left.isValid() && !right.isValid();
     return isRising ? left.toDouble() < right.toDouble() : left.toDouble() > right.toDouble();
+}
+
+/// Room for the title of a column. The hint of the header itself is 0 for a hidden one.
+int headWidth(const QTreeWidget& table, int column) {
+    QStyleOptionHeader head;
+    head.initFrom(table.header());
+    head.section = column;
+    head.orientation = Qt::Horizontal;
+    head.text = table.headerItem()->text(column);
+    const QHeaderView* const header = table.header();
+    return header->style()->sizeFromContents(QStyle::CT_HeaderSection, &head, QSize(), header).width();
+}
+
+/// What a column of names needs so that a line holds a few words and no word is cut; very long ones are cut all the
+/// same.
+int leastOfNames(QTreeWidget& table) {
+    const int letter = table.fontMetrics().averageCharWidth();
+    const int margins = 2 * (table.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &table) + 1);
+    int longest = 0;
+    for (QTreeWidgetItemIterator row(&table); *row; ++row) {
+        if ((*row)->isFirstColumnSpanned()) continue;
+        int depth = table.rootIsDecorated() ? 1 : 0;
+        for (const QTreeWidgetItem* above = (*row)->parent(); above; above = above->parent()) ++depth;
+        for (const int c : {What, Where}) {
+            const QVariant own = (*row)->data(c, Qt::FontRole);
+            const QFontMetrics letters(own.isValid() ? own.value<QFont>() : table.font());
+            const int before = c == What ? depth * table.indentation() : 0;
+            for (const QString& word : (*row)->text(c).split(u' '))
+                longest = std::max(longest, before + margins + letters.horizontalAdvance(word));
+        }
+    }
+    return std::clamp(longest, 13 * letter, 20 * letter);
 }
 
 }  // namespace
@@ -173,16 +206,17 @@ void ResultPanel::groupCandidates() {
         candidates_->setItemWidget(row, Trial, button);
     }
     candidates_->setCurrentItem(marked);
+    giveNamesRoom();
     filterCandidates();
 }
 
 /// Where the panel is narrow the names of effects and places come before the figures of their trials, of which the
-/// better one stays longest.
+/// better one stays longest. It depends on the present width alone: what is hidden counts as much as what is shown.
 void ResultPanel::giveNamesRoom() {
-    const int least = 13 * candidates_->fontMetrics().averageCharWidth();
+    const int least = leastOfNames(*candidates_);
     const auto widthOf = [this](int column) {
         const auto* view = static_cast<const QAbstractItemView*>(candidates_);
-        return std::max(view->sizeHintForColumn(column), candidates_->header()->sectionSizeHint(column));
+        return std::max(view->sizeHintForColumn(column), headWidth(*candidates_, column));
     };
     int figures = 0;
     for (const int c : {Screening, DeltaBic, Judgement, Trial}) figures += widthOf(c);
