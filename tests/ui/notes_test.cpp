@@ -1,5 +1,7 @@
 #include <QAction>
 #include <QBuffer>
+#include <QDateTime>
+#include <QFile>
 #include <QFileDialog>
 #include <QImage>
 #include <QLineEdit>
@@ -72,6 +74,32 @@ TEST(PictureInADiagram, IsDrawnFromItsBytesAndFromItsFileWithItsProportions) {
     EXPECT_NE(drawn(p), drawn({})) << "a frame tells where it would be";
     p.text = "data:this is no picture";
     EXPECT_EQ(pixelsOf(drawn(p), QColor(20, 20, 200)), 0);
+}
+
+TEST(PictureInADiagram, ThatCannotBeReadIsTriedAnewOnceItsFileHasChanged) {
+    QTemporaryDir directory;
+    const QString name = directory.filePath("photo.png");
+    const QByteArray blue = pngOf(QColor(20, 20, 200));
+    const QDateTime first(QDate(2026, 1, 2), QTime(3, 4, 5));
+    const auto write = [&](const QByteArray& bytes, const QDateTime& changed) {
+        QFile file(name);
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+        file.flush();
+        ASSERT_TRUE(file.setFileTime(changed, QFileDevice::FileModificationTime));
+    };
+    Primitive p;
+    p.kind = Primitive::Kind::Bitmap;
+    p.extent = {{-50, -50}, {50, 50}};
+    p.text = name.toStdString();
+    write(QByteArray(blue.size(), 'x'), first);
+    EXPECT_EQ(pixelsOf(drawn(p), QColor(20, 20, 200)), 0);
+    write(blue, first);  // looks like the same file: it is not read with every repaint
+    EXPECT_EQ(pixelsOf(drawn(p), QColor(20, 20, 200)), 0);
+    write(blue, first.addSecs(1));
+    EXPECT_NEAR(pixelsOf(drawn(p), QColor(20, 20, 200)), 100 * 50, 200);
+    write(pngOf(QColor(200, 20, 20)), first.addSecs(2));
+    EXPECT_NEAR(pixelsOf(drawn(p), QColor(200, 20, 20)), 100 * 50, 200) << "and so is one that could be read";
 }
 
 TEST(KeptPicture, IsMadeSmallEnoughForATextAndRefusedWithAReason) {

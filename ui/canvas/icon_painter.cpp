@@ -1,6 +1,7 @@
 #include "ui/canvas/icon_painter.hpp"
 
 #include <QBuffer>
+#include <QDateTime>
 #include <QFileInfo>
 #include <QImageReader>
 #include <QPainter>
@@ -153,28 +154,38 @@ void paintText(QPainter& painter, const Primitive& p, const QRectF& scene, const
     painter.restore();
 }
 
-/// Decoded once, not with every stroke of the wheel; null: it cannot be read.
+/// What a picture is known by: a file that was written anew is another one.
+QString keyOf(const Primitive& p, const QFileInfo& file) {
+    const QByteArrayView text(p.text.data(), static_cast<qsizetype>(p.text.size()));
+    QString key = QStringLiteral("bitmap-%1-%2").arg(text.size()).arg(qHash(text));
+    if (file.isFile()) key += QStringLiteral("-%1-%2").arg(file.size()).arg(file.lastModified().toMSecsSinceEpoch());
+    return key;
+}
+
+/// Decoded once, not with every stroke of the wheel; null: it cannot be read, which is found out once, too.
 QPixmap decodedPicture(const Primitive& p) {
     constexpr qint64 largest = 64 << 20;  // [bytes] of a file
     const std::string_view bytes = annotation::pictureBytes(p);
-    const QString key = QStringLiteral("bitmap-%1-%2")
-                            .arg(p.text.size())
-                            .arg(qHash(QByteArrayView(p.text.data(), static_cast<qsizetype>(p.text.size()))));
+    const QFileInfo file(bytes.empty() ? QString::fromStdString(annotation::pictureFile(p)) : QString());
+    const QString key = keyOf(p, file), failed = key + "-failed";
     QPixmap picture;
     if (QPixmapCache::find(key, &picture)) return picture;
+    if (QPixmapCache::find(failed, nullptr)) return {};
     QBuffer buffer;
     QImageReader reader;
-    const QString file = QString::fromStdString(annotation::pictureFile(p));
     if (!bytes.empty()) {
         buffer.setData(QByteArray::fromBase64(QByteArray(bytes.data(), static_cast<qsizetype>(bytes.size()))));
         buffer.open(QIODevice::ReadOnly);
         reader.setDevice(&buffer);
-    } else if (QFileInfo(file).isFile() && QFileInfo(file).size() <= largest) {
-        reader.setFileName(file);
+    } else if (file.isFile() && file.size() <= largest) {
+        reader.setFileName(file.filePath());
     }
     reader.setAutoTransform(true);
     if (reader.device() || !reader.fileName().isEmpty()) picture = QPixmap::fromImage(reader.read());
-    QPixmapCache::insert(key, picture);
+    if (picture.isNull())
+        QPixmapCache::insert(failed, QPixmap(1, 1));  // a null one is not kept
+    else
+        QPixmapCache::insert(key, picture);
     return picture;
 }
 
