@@ -95,6 +95,17 @@ void QuestionCard::ask(const Question& question, const QuestionRows& rows, const
         note_->setText(tr("The file does not tell. What you choose is kept with the study."));
     }
     typedRow_->addStretch(1);
+    fitTexts();
+}
+
+void QuestionCard::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    fitTexts();
+}
+
+/// A text that breaks asks for one line of height at least: in a page that scrolls the answers would lie over the rows.
+void QuestionCard::fitTexts() {
+    for (QLabel* label : {text_, note_}) label->setMinimumHeight(std::max(0, label->heightForWidth(label->width())));
 }
 
 void QuestionCard::clear(QLayout* row) {

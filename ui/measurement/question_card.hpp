@@ -34,7 +34,11 @@ public:
 Q_SIGNALS:
     void answered(const analogon::ReadOptions& options);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void fitTexts();
     void fill(const Question& question, const QuestionRows& rows);
     QPushButton* addButton(const QString& text);
     void clear(QLayout* row);
