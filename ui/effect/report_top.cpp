@@ -40,7 +40,7 @@ QString reportTop(const QString& study, const ReportHead& head, bool hasLogo) {
 
 QImage logoPicture(const QString& file) {
     QFile source(file);
-    if (!source.open(QIODevice::ReadOnly)) return {};
+    if (file.isEmpty() || !source.open(QIODevice::ReadOnly)) return {};
     const QByteArray bytes = source.readAll();
     if (const QImage image = QImage::fromData(bytes); !image.isNull()) {
         const int height = shownHeight * sharpness;

@@ -10,6 +10,12 @@
 
 namespace analogon::ui {
 
+void Album::beginAnew() {
+    const QString place = QStringLiteral("window%1%2").arg(suffix_).arg(++windows_);
+    expect(data_.mkpath(place));
+    qputenv("XDG_DATA_HOME", data_.filePath(place).toUtf8());
+}
+
 void Album::take(MainWindow& window, const QString& name) {
     window.statusBar()->clearMessage();  // it tells how fast this machine is: no part of the picture
     takeDialog(window, name);
@@ -35,7 +41,8 @@ void goOnFor(int milliseconds) {
     while (clock.elapsed() < milliseconds) QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
 }
 
-bool openIn(MainWindow& window, QSize size, const QString& example) {
+bool openIn(Album& album, MainWindow& window, QSize size, const QString& example) {
+    album.beginAnew();
     window.resize(size);
     window.show();
     window.open(example);

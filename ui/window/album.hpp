@@ -14,7 +14,12 @@ class MainWindow;
 /// The pictures of one pass through the work, in one look and language.
 class Album {
 public:
-    Album(const QDir& directory, QString suffix) : directory_(directory), suffix_(std::move(suffix)) {}
+    /// `data`: where the windows of the program keep what is theirs meanwhile.
+    Album(const QDir& directory, QString suffix, const QDir& data)
+        : directory_(directory), suffix_(std::move(suffix)), data_(data) {}
+
+    /// Before a window opens a study: the work that an earlier one of the album has left unsaved is not offered.
+    void beginAnew();
 
     void take(MainWindow& window, const QString& name);
     /// Of a window of its own over it.
@@ -26,6 +31,8 @@ public:
 private:
     QDir directory_;
     QString suffix_;
+    QDir data_;
+    int windows_{};
     bool isWhole_{true};
 };
 
@@ -34,7 +41,7 @@ bool waitUntil(const std::function<bool()>& holds, int milliseconds = 900000);
 void goOnFor(int milliseconds = 120);
 
 /// False: the study did not come up, or its start values gave no trace.
-bool openIn(MainWindow& window, QSize size, const QString& example);
+bool openIn(Album& album, MainWindow& window, QSize size, const QString& example);
 
 // Scenes of it, each with a window of its own. False: something that they show did not come about.
 bool takeGroup(Album& album, const QString& example);

@@ -10,6 +10,7 @@
 #include <QScrollBar>
 #include <QSettings>
 #include <QTabWidget>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -78,6 +79,7 @@ void takeComparison(Album& album, MainWindow& window) {
     if (first.outputs.empty()) return;
     Q_EMIT window.findChild<MeasurementPanel*>()->comparisonWanted(QString::fromStdString(first.outputs.begin()->first),
                                                                    QString::fromStdString(first.name));
+    waitUntil([&] { return window.findChild<ComparePage*>()->table()->rowCount() > 0; }, 20000);
     goOnFor(800);
     album.take(window, "06-compare");
     Q_EMIT window.findChild<ComparePage*>()->left();
@@ -200,6 +202,7 @@ bool takeWork(Album& album) {
     const QString example = examples.front().path;
     {
         QSettings().clear();  // what an earlier album opened is no part of this one
+        album.beginAnew();
         MainWindow window;
         window.resize(1440, 900);
         window.show();
@@ -216,9 +219,8 @@ bool takeWork(Album& album) {
 }  // namespace
 
 bool writePictures(const QString& directory, const QString& onlyLanguage) {
-    const QTemporaryDir settings;  // neither read nor change the user's own
+    const QTemporaryDir settings, data;  // neither read nor change the user's own, nor show what a crash has left
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
-    qputenv("XDG_DATA_HOME", settings.path().toUtf8());  // nor show what a crash of theirs has left
     const QDir target(directory);
     if (!target.mkpath(".")) return false;
     bool isWhole = true;
@@ -230,7 +232,7 @@ bool writePictures(const QString& directory, const QString& onlyLanguage) {
             const int percent = qRound(qApp->devicePixelRatio() * 100);
             const QString suffix = "-" + language + (theme == style::Theme::Dark ? "-dark" : "") +
                                    (percent == 100 ? QString() : QStringLiteral("-%1").arg(percent));
-            Album album(target, suffix);
+            Album album(target, suffix, QDir(data.path()));
             isWhole = takeWork(album) && isWhole;
             QCoreApplication::removeTranslator(&translator);
         }

@@ -23,7 +23,7 @@ namespace analogon::ui {
 
 bool takeGroup(Album& album, const QString& example) {
     MainWindow window;
-    if (!openIn(window, {1440, 900}, example)) return false;
+    if (!openIn(album, window, {1440, 900}, example)) return false;
     Document& document = window.document();
     document.enter(window.compose().composer().group({"heater", "element"}, "Probe"));
     goOnFor(1000);
@@ -33,7 +33,7 @@ bool takeGroup(Album& album, const QString& example) {
 
 bool takeSmall(Album& album, const QString& example) {
     MainWindow window;
-    if (!openIn(window, {853, 480}, example)) return false;
+    if (!openIn(album, window, {853, 480}, example)) return false;
     goOnFor(300);
     album.take(window, "16-small-screen");
     return true;
@@ -57,7 +57,7 @@ void takeNotes(Album& album, MainWindow& window) {
 /// A block of the library with what it is for, and a wire on its way to a connector that does not fit.
 bool takeComposing(Album& album, const QString& example) {
     MainWindow window;
-    if (!openIn(window, {1440, 900}, example)) return false;
+    if (!openIn(album, window, {1440, 900}, example)) return false;
     Document& document = window.document();
     auto* library = window.findChild<LibraryPanel*>();
     const QRect row = library->showClass("Analogon.ThermalFluid.BasicThermalFluid");
@@ -87,7 +87,7 @@ bool takeComposing(Album& album, const QString& example) {
 /// A block by another word for it, a search without result, and a word of the text.
 bool takeFinding(Album& album, const QString& example) {
     MainWindow window;
-    if (!openIn(window, {1024, 700}, example)) return false;
+    if (!openIn(album, window, {1024, 700}, example)) return false;
     auto* library = window.findChild<LibraryPanel*>();
     window.findChild<QDockWidget*>("library")->raise();
     library->search()->setText("Heizung");

@@ -31,7 +31,7 @@ namespace analogon::ui {
 /// A fit on its way, and a value that it would like beyond its bound.
 bool takeRunning(Album& album, const QString& example) {
     MainWindow window;
-    if (!openIn(window, {1440, 900}, example)) return false;
+    if (!openIn(album, window, {1440, 900}, example)) return false;
     Document& document = window.document();
     if (!waitUntil([&] { return !document.facts().parameters.empty(); })) return false;
     StudySettings settings = document.settings();
@@ -68,7 +68,7 @@ bool takeRunning(Album& album, const QString& example) {
 /// Signals of every kind, with two cursors.
 bool takeSignals(Album& album, const QString& example) {
     MainWindow window;
-    if (!openIn(window, {1440, 900}, example)) return false;
+    if (!openIn(album, window, {1440, 900}, example)) return false;
     Document& document = window.document();
     if (!waitUntil([&] { return !document.facts().variables.empty(); })) return false;
     auto* plots = window.findChild<PlotArea*>();
@@ -104,7 +104,7 @@ bool takeSignals(Album& album, const QString& example) {
 /// The arrangement for each part of the work, with a parameter that is turned; the result with its runs named.
 bool takeArrangements(Album& album, const QString& example) {
     MainWindow window;
-    if (!openIn(window, {1024, 700}, example)) return false;
+    if (!openIn(album, window, {1024, 700}, example)) return false;
     Document& document = window.document();
     if (!waitUntil([&] { return !document.facts().parameters.empty(); })) return false;
     window.controller().start(RunKind::Discover);
@@ -166,7 +166,7 @@ void takeProfile(Album& album, MainWindow& window) {
 /// The error over one parameter, and over two.
 bool takeSweep(Album& album, const QString& example) {
     MainWindow window;
-    if (!openIn(window, {1024, 700}, example)) return false;
+    if (!openIn(album, window, {1024, 700}, example)) return false;
     if (!waitUntil([&] { return !window.document().facts().parameters.empty(); })) return false;
     window.findChild<QAction*>("sweep")->trigger();
     auto* dialog = window.findChild<SweepDialog*>();
@@ -191,7 +191,7 @@ bool takeSweep(Album& album, const QString& example) {
 /// The head of the report, and what is found in the study.
 bool takeDialogs(Album& album, const QString& example) {
     MainWindow window;
-    if (!openIn(window, {1024, 700}, example)) return false;
+    if (!openIn(album, window, {1024, 700}, example)) return false;
     if (!waitUntil([&] { return !window.document().facts().variables.empty(); })) return false;
     window.findChild<QAction*>("report-head-action")->trigger();
     auto* report = window.findChild<ReportDialog*>();
