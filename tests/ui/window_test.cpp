@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPointer>
 #include <QPushButton>
 #include <QSettings>
 #include <QTabBar>
@@ -315,12 +316,13 @@ TEST_F(Window, EditsOfParametersAreEditsOfTheTextAndCanBeUndone) {
         const QModelIndex index = parameters->index(parameters->rowOf(name), column);
         table->setCurrentIndex(index);
         table->edit(index);
-        auto* editor = table->findChild<QLineEdit*>();
-        ASSERT_TRUE(editor);
+        // the one of this cell: that of the cell before goes in a later turn of the event loop
+        QPointer<QLineEdit> editor = qobject_cast<QLineEdit*>(table->indexWidget(index));
+        ASSERT_TRUE(editor) << name;
         editor->selectAll();
         QTest::keyClicks(editor, typed);
         QTest::keyClick(editor, Qt::Key_Return);
-        QTest::qWait(10);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !editor; }, 20000)) << name;
     };
     edit("mount.G", ParameterModel::Value, "0.125");
     EXPECT_TRUE(document().modelText().contains("mount(G=0.125)"));
