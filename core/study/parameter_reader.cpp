@@ -141,15 +141,7 @@ void ParameterReader::setDefaultBounds(const FlatVariable& variable, double star
 }
 
 void ParameterReader::tellDefaultBounds() {
-    constexpr std::size_t shown = 8;
-    const std::size_t count = unbounded_.size();
-    if (count == 0) return;
-    unbounded_.resize(std::min(shown, count));
-    Text which = count <= shown ? listed(unbounded_) : phrase("{} parameters, first {}", count, listed(unbounded_));
-    said_.push_back(places_.remark("/parameters",
-                                   phrase("no bounds are given for {}; what is positive is looked for within a factor "
-                                          "of 1000 of its start value",
-                                          std::move(which))));
+    if (!unbounded_.empty()) said_.push_back(places_.remark("/parameters", defaultBoundsRemark(unbounded_)));
 }
 
 void ParameterReader::readFitted(const std::string& name, const StudyParameter& parameter, const FlatVariable& variable,

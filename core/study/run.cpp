@@ -10,6 +10,7 @@
 #include "core/flat/parameter_change.hpp"
 #include "core/measure/channel_place.hpp"
 #include "core/study/confidence.hpp"
+#include "core/study/default_bounds.hpp"
 #include "core/study/recorded.hpp"
 #include "core/study/study_with.hpp"
 #include "core/study/validate.hpp"
@@ -137,6 +138,15 @@ void markInterrupted(Finding& finding, bool isInterrupted) {
         finding.warnings.push_back(phrase("the traces are long and were not written, since the run was interrupted"));
 }
 
+/// Bounds that nobody has given are a part of what a result rests on: they are told in its report, and there alone.
+Diagnostics withBoundsInReport(Diagnostics remarks, ModelState& state) {
+    const auto isOfBounds = [](const Diagnostic& remark) { return isDefaultBoundsRemark(remark.message); };
+    for (const Diagnostic& remark : remarks)
+        if (isOfBounds(remark)) state.remarks.push_back(remark.message);
+    std::erase_if(remarks, isOfBounds);
+    return remarks;
+}
+
 /// Whether a simulation was stopped before its end.
 bool isCutShort(const ModelState& state) {
     return std::any_of(state.experiments.begin(), state.experiments.end(),
@@ -200,6 +210,7 @@ Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const P
     Outcome<ModelState> state = fitModel(*task, alone, progress);
     if (!state) return state.diagnostics();
     if (Diagnostics faults = failures(*state, true); !faults.empty()) return faults;
+    Diagnostics remarks = withBoundsInReport(task.diagnostics(), *state);
     const auto told = [&](bool isInterrupted) {
         RunResult result = fitted(study, *state);
         markInterrupted(result.finding, isInterrupted);
@@ -210,7 +221,7 @@ Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const P
         if (options.keep) options.keep(told(true));
         addConfidence(*task, options.profiled, options.discover.fit, *state, progress);
     }
-    return {told(progress.stopRequested()), task.diagnostics()};
+    return {told(progress.stopRequested()), std::move(remarks)};
 }
 
 Outcome<RunResult> runDiscover(const Study& study, const RunOptions& options, const Progress& progress) {
@@ -230,7 +241,8 @@ Outcome<RunResult> runDiscover(const Study& study, const RunOptions& options, co
     Outcome<Finding> finding = discover(*task, search, progress);
     if (!finding) return finding.diagnostics();
     if (Diagnostics faults = failures(finding->final, true); !faults.empty()) return faults;
-    return {told(std::move(*finding)), task.diagnostics()};
+    Diagnostics remarks = withBoundsInReport(task.diagnostics(), finding->final);
+    return {told(std::move(*finding)), std::move(remarks)};
 }
 
 }  // namespace analogon
