@@ -119,7 +119,7 @@ Distance distanceOf(const Column& a, const Column& b) {
     return distance;
 }
 
-double spanOf(const Column& column) {
+double coveredBy(const Column& column) {
     double span = 0;
     for (const double step : stepsOf(column.values)) span += step;
     return secondsIn(column) * span;
@@ -132,7 +132,7 @@ bool isAsFast(const Column& a, const Column& b) {
         const std::vector<double> steps = stepsOf(column.values);
         return steps.empty() ? 0.0 : secondsIn(column) * *std::max_element(steps.begin(), steps.end());
     };
-    const double one = spanOf(a), other = spanOf(b);
+    const double one = coveredBy(a), other = coveredBy(b);
     return std::abs(one - other) <= std::max({0.01 * one, longest(a), longest(b)});
 }
 
@@ -203,7 +203,7 @@ private:
         const bool isBesideAnother = std::find(all_.begin(), all_.end(), time - 1) != all_.end();
         if (isBesideAnother && isAsFast(column(first_), column(time))) return false;  // a date, and what a clock counts
         if (distance.isConstant)  // a time of day beside that of the run, or two loggers started one after the other
-            return distance.shift != 0 && std::abs(distance.shift) < spanOf(column(first_)) &&
+            return distance.shift != 0 && std::abs(distance.shift) < coveredBy(column(first_)) &&
                    isNumberedAs(column(first_).name, column(time).name);
         return isNamed(time) || !isAsFast(column(first_), column(time));
     }
@@ -261,7 +261,7 @@ ChannelTime oneTime(const RawTable& raw, std::size_t first) {
     return all;
 }
 
-Text nameOf(TimeColumns times, const std::string& first) {
+Text readingName(TimeColumns times, const std::string& first) {
     if (times == TimeColumns::Left) return phrase("each channel has the time on its left");
     if (times == TimeColumns::Right) return phrase("each channel has the time on its right");
     return phrase("all channels have '{}'", cited(first));
@@ -275,7 +275,7 @@ void askTimes(const RawTable& raw, std::size_t first, std::size_t other, std::ar
                       phrase("'{}' and '{}' are both times and differ. Which channels have which?",
                              cited(columns[first].name), cited(columns[other].name))};
     for (const TimeColumns reading : readings) {
-        question.readings.push_back({nameOf(reading, columns[first].name), options});
+        question.readings.push_back({readingName(reading, columns[first].name), options});
         question.readings.back().options.times = reading;
     }
     asked.push_back(std::move(question));
