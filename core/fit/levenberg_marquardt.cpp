@@ -102,26 +102,23 @@ private:
     /// Damps until a step lowers the cost. Simulations that fail one after the other say little about how far the
     /// slopes hold: most of the damping they ask for is forgotten once one succeeds.
     bool descend(Minimum& minimum) {
-        constexpr int mostTries = 60, many = 3;
+        constexpr int mostTries = 60, many = 3, manyDamped = 3;
         const double little = beginsNear_ ? 1e-3 : 1e-6;  // of the cost: the next point is all but the optimum
         const double cost = here_.cost(), before = std::max(damping_, 1e-8);
-        constexpr int manyDamped = 3;
-        isInValley_ =
-            isInValley_ || (options_.goesOnInValleys && dampedSteps_ >= manyDamped && misfit_.mayKeepSlopes());
-        const bool isInValley = isInValley_;
-        misfit_.expectLast(expected_ <= little * cost || isInValley);
+        if (options_.goesOnInValleys && dampedSteps_ >= manyDamped && misfit_.mayKeepSlopes()) isInValley_ = true;
+        misfit_.expectLast(expected_ <= little * cost || isInValley_);
         int failures = 0;
         for (int tries = 0; tries < mostTries && damping_ < 1e20; ++tries) {
             const Eigen::VectorXd straight = inside(z_ + limited(step(damping_)));
             const double predicted = predictedFall(straight - z_);
             const std::optional<Eigen::VectorXd> bend =
-                isInValley && predicted > 0.0 ? bendAlong(straight - z_) : Eigen::VectorXd::Zero(K_);
+                isInValley_ && predicted > 0.0 ? bendAlong(straight - z_) : Eigen::VectorXd::Zero(K_);
             if (misfit_.isCancelled()) return true;
             if (bend && predicted > 0.0) {
                 const Eigen::VectorXd there = inside(straight + *bend);
                 const Eigen::VectorXd values = coordinates_.values(there);
                 // slopes from differences take many simulations: only where the cost falls are they worth it
-                const double known = misfit_.takesDifferences() || isInValley ? misfit_.cost(values) : 0.0;
+                const double known = misfit_.takesDifferences() || isInValley_ ? misfit_.cost(values) : 0.0;
                 const bool rises = std::isfinite(known) && known >= cost;
                 ReducedMisfit found;
                 if (known < cost) found = misfit_.reduced(values);
@@ -143,7 +140,7 @@ private:
                 }
                 failures += !found.ok && !rises;
             }
-            damping_ = std::max(damping_, isInValley ? 1e-12 : 1e-8) * growth_;
+            damping_ = std::max(damping_, isInValley_ ? 1e-12 : 1e-8) * growth_;
             if (failures < many) growth_ *= 2.0;
         }
         // Rounding, or a kink, hides the last digits of the cost.

@@ -67,15 +67,8 @@ bool hasEvenSteps(const std::vector<double>& values) {
 }
 
 bool risesStrictly(const std::vector<double>& values) {
-    double last = NAN;
-    std::size_t count = 0;
-    for (const double value : values) {
-        if (std::isnan(value)) continue;
-        if (value <= last) return false;
-        last = value;
-        ++count;
-    }
-    return count > 1;
+    const std::vector<double> steps = stepsOf(values);
+    return !steps.empty() && std::all_of(steps.begin(), steps.end(), [](double step) { return step > 0; });
 }
 
 /// A logger that was started again, or a wrong stamp: a time nevertheless, whose fault is told where it is used.
