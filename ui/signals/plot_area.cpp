@@ -142,6 +142,9 @@ QString PlotArea::unitOf(const SignalRef& reference) {
         return QString::fromStdString(ui::unitOf(document_.facts().variables, name));
     if (reference.kind == SignalKind::Residual)
         return QString::fromStdString(ui::unitOf(document_.facts().outputs, name));
+    if (reference.kind == SignalKind::Sensitivity)
+        return QString::fromStdString(
+            ui::unitOf(document_.facts().outputs, sensitiveOutput(reference.name).toStdString()));
     if (reference.kind == SignalKind::Recorded)
         for (const StudyExperiment& e : document_.study().experiments)
             if (QString::fromStdString(e.name) == reference.recording)

@@ -18,7 +18,7 @@ namespace analogon::ui {
 
 namespace {
 
-constexpr std::array<const char*, 4> kindNames{"recorded", "variable", "residual", "derived"};
+constexpr std::array<const char*, 5> kindNames{"recorded", "variable", "residual", "derived", "sensitivity"};
 
 QString tr(const char* text) { return QCoreApplication::translate("SignalList", text); }
 
@@ -61,6 +61,22 @@ void addChannels(std::vector<Signal>& all, const Study& study) {
     }
 }
 
+void addSensitivities(std::vector<Signal>& all, const Document& document) {
+    const Study& study = document.study();
+    for (const StudyExperiment& experiment : study.experiments) {
+        if (experiment.role != Role::Fit || !experiment.isUsed) continue;
+        for (const auto& [output, mapping] : experiment.outputs)
+            for (const auto& [parameter, setting] : study.parameters)
+                if (setting.fit)
+                    add(all, {{SignalKind::Sensitivity, of(experiment.name), sensitivityName(output, parameter)},
+                              tr("Sensitivities"),
+                              of(unitOf(document.facts().outputs, output)),
+                              tr("how far %1 moves per relative change of %2, %3")
+                                  .arg(of(output), of(parameter), of(experiment.name)),
+                              {}});
+    }
+}
+
 void addVariables(std::vector<Signal>& all, const ModelFacts& facts) {
     std::vector<Signal> variables;
     for (const SignalFact& fact : facts.variables) {
@@ -96,6 +112,15 @@ SignalRef SignalRef::of(const QJsonObject& json) {
             json.value("name").toString()};
 }
 
+QString sensitivityName(const std::string& output, const std::string& parameter) {
+    return QStringLiteral("∂%1/∂ln %2").arg(of(output), of(parameter));
+}
+
+QString sensitiveOutput(const QString& name) {
+    const qsizetype end = name.indexOf(QStringLiteral("/∂ln "));
+    return name.startsWith(u'∂') && end > 0 ? name.sliced(1, end - 1) : QString();
+}
+
 QByteArray mimeOf(const std::vector<SignalRef>& references) {
     QJsonArray list;
     for (const SignalRef& reference : references) list.append(reference.json());
@@ -125,6 +150,7 @@ std::vector<Signal> allSignals(const Document& document, const std::vector<QStri
                       of(unitOf(document.facts().outputs, output)),
                       tr("measured less simulated, %1").arg(of(experiment.name)),
                       {}});
+    addSensitivities(all, document);
     addVariables(all, document.facts());
     return all;
 }

@@ -77,7 +77,8 @@ QVariant SignalModel::data(const QModelIndex& index, int role) const {
     if (index.column() == 1) return signal->unit;
     const bool isInComponent = reference.kind == SignalKind::Variable && reference.name.startsWith(signal->group + '.');
     if (isInComponent) return reference.name.mid(signal->group.size() + 1);
-    return reference.kind == SignalKind::Residual ? reference.name + " · " + reference.recording : reference.name;
+    const bool isOfRecording = reference.kind == SignalKind::Residual || reference.kind == SignalKind::Sensitivity;
+    return isOfRecording ? reference.name + " · " + reference.recording : reference.name;
 }
 
 QVariant SignalModel::headerData(int section, Qt::Orientation orientation, int role) const {

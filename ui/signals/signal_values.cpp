@@ -1,6 +1,7 @@
 #include "ui/signals/signal_values.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/measure/channel.hpp"
 #include "core/signal/formula.hpp"
@@ -57,6 +58,26 @@ SignalData recorded(const Study& study, const SignalRef& reference) {
     return data;
 }
 
+/// One parameter's share of an output, out of those of all.
+SignalData sensitive(const std::shared_ptr<const Outcome<Sensitivity>>& found, const SignalRef& reference) {
+    if (!*found) return faulty(found->diagnostics());
+    const Sensitivity& all = **found;
+    for (const OutputSensitivity& output : all.outputs) {
+        if (QString::fromStdString(output.experiment) != reference.recording) continue;
+        for (std::size_t p = 0; p < all.parameters.size(); ++p) {
+            if (sensitivityName(output.output, all.parameters[p]) != reference.name) continue;
+            const auto column = static_cast<Eigen::Index>(p);
+            const auto values = std::make_shared<Eigen::VectorXd>(output.slopes.col(column) * all.values[column]);
+            const std::span<const double> seen(values->data(), static_cast<std::size_t>(values->size()));
+            return {std::shared_ptr<const std::vector<double>>(found, &output.time),
+                    Series(values, seen),
+                    QString::fromStdString(output.unit),
+                    {}};
+        }
+    }
+    return faulty({error(phrase("no parameter is fitted"))});
+}
+
 }  // namespace
 
 SignalData SignalData::failed(const Diagnostic& fault) { return faulty({fault}); }
@@ -68,13 +89,16 @@ SignalValues::SignalValues(Document& document, QObject* parent) : QObject(parent
     connect(&document, &Document::experimentsChanged, this, [this] { forget([](SignalKind) { return true; }); });
     connect(&document, &Document::opened, this, [this] { forget([](SignalKind) { return true; }); });
     connect(&document, &Document::resultChanged, this, [this] {
-        forget([](SignalKind kind) { return kind == SignalKind::Residual || kind == SignalKind::Derived; });
+        forget([](SignalKind kind) {
+            return kind != SignalKind::Recorded && kind != SignalKind::Variable;  // these depend on no fit
+        });
     });
 }
 
 void SignalValues::forget(const std::function<bool(SignalKind)>& isOld) {
     const auto kindOf = [](const QString& key) {
-        for (const SignalKind kind : {SignalKind::Recorded, SignalKind::Variable, SignalKind::Residual})
+        for (const SignalKind kind :
+             {SignalKind::Recorded, SignalKind::Variable, SignalKind::Residual, SignalKind::Sensitivity})
             if (key.startsWith(SignalRef{kind, {}, {}}.key().section('\n', 0, 0))) return kind;
         return SignalKind::Derived;
     };
@@ -84,9 +108,15 @@ void SignalValues::forget(const std::function<bool(SignalKind)>& isOld) {
         simulator_.drop();
         variables_.clear();
     }
+    if (isOld(SignalKind::Sensitivity)) {
+        differentiator_.drop();
+        sensitivities_.clear();
+        slopes_.reset();
+    }
     std::erase_if(known_, [&](const auto& entry) { return isOld(kindOf(entry.first)); });
     std::erase_if(underWay_, [&](const QString& key) {
-        return kindOf(key) != SignalKind::Variable || isOld(SignalKind::Variable);
+        const SignalKind kind = kindOf(key);
+        return isOld(kind) || (kind != SignalKind::Variable && kind != SignalKind::Sensitivity);
     });
     Q_EMIT outdated();
 }
@@ -107,6 +137,8 @@ std::shared_ptr<const SignalData> SignalValues::at(const SignalRef& reference) {
     if (!underWay_.insert(reference.key()).second) return nullptr;
     if (reference.kind == SignalKind::Variable)
         variables_[reference.recording].insert(reference.name);
+    else if (reference.kind == SignalKind::Sensitivity)
+        sensitivities_.push_back(reference);
     else
         wanted_.push_back(reference);
     QMetaObject::invokeMethod(this, &SignalValues::work, Qt::QueuedConnection);
@@ -137,6 +169,7 @@ void SignalValues::work() {
     if (!document_.isOpen()) return;
     if (!reader_.isBusy()) startReading();
     if (!simulator_.isBusy() && !variables_.empty()) startSimulation();
+    if (!differentiator_.isBusy() && !sensitivities_.empty()) startSensitivities();
 }
 
 void SignalValues::startReading() {
@@ -190,6 +223,25 @@ void SignalValues::startSimulation() {
             }
             Q_EMIT arrived();
             QMetaObject::invokeMethod(this, &SignalValues::work, Qt::QueuedConnection);
+        });
+}
+
+void SignalValues::startSensitivities() {
+    const auto tell = [this] {
+        for (const SignalRef& reference : std::exchange(sensitivities_, {}))
+            keep(reference, sensitive(slopes_, reference));
+        Q_EMIT arrived();
+    };
+    if (slopes_) return tell();
+    const RunResult* result = document_.resultKind() == RunKind::Simulate ? nullptr : document_.result();
+    differentiator_.start<Outcome<Sensitivity>>(
+        tr("Sensitivities"),
+        [study = result && document_.after() ? result->completed : document_.study()](const Progress& progress) {
+            return sensitivityOf(study, progress);
+        },
+        [this, tell](Outcome<Sensitivity> found) {
+            slopes_ = std::make_shared<const Outcome<Sensitivity>>(std::move(found));
+            tell();
         });
 }
 

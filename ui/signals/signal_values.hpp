@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "core/study/sensitivity.hpp"
 #include "ui/job/job.hpp"
 #include "ui/plot/series.hpp"
 #include "ui/signals/signal_list.hpp"
@@ -28,7 +29,8 @@ struct SignalData {
 
 /// The numbers of signals, fetched when they are asked for and not on the thread of the window: what was recorded at
 /// once, before anything is simulated; variables of the model by a simulation of the study as it stands, those of one
-/// recording together; formulas when all that they use is there.
+/// recording together; formulas when all that they use is there; sensitivities of all outputs to all parameters by one
+/// simulation, at the fitted values where a fit is shown.
 class SignalValues : public QObject {
     Q_OBJECT
 
@@ -53,6 +55,7 @@ private:
     void work();
     void startReading();
     void startSimulation();
+    void startSensitivities();
     std::optional<SignalData> residual(const SignalRef& reference) const;
     /// What a formula calls by a name: a variable of the model, else a channel.
     SignalRef meant(const QString& name, const QString& recording) const;
@@ -62,8 +65,10 @@ private:
     std::map<QString, Data> known_;
     std::vector<SignalRef> wanted_;                   // channels, formulas
     std::map<QString, std::set<QString>> variables_;  // wanted ones by recording
+    std::vector<SignalRef> sensitivities_;            // wanted ones
     std::set<QString> underWay_;                      // keys of all that is wanted or worked on
-    JobRunner reader_, simulator_;
+    JobRunner reader_, simulator_, differentiator_;
+    std::shared_ptr<const Outcome<Sensitivity>> slopes_;  // of the study as it stands; null: not asked for yet
     int simulations_{};
 };
 
