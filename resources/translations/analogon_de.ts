@@ -21,7 +21,7 @@
     </message>
     <message>
         <source>What was tried</source>
-        <translation>Was probiert wurde</translation>
+        <translation>Was geprüft wurde</translation>
     </message>
     <message>
         <source>Runs</source>
@@ -96,7 +96,7 @@
     </message>
     <message>
         <source>What was tried</source>
-        <translation>Was probiert wurde</translation>
+        <translation>Was geprüft wurde</translation>
     </message>
     <message>
         <source>Warnings and remarks</source>
@@ -4690,7 +4690,7 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     </message>
     <message>
         <source>Components, parameters, signals, recordings, effects that were tried, runs and texts</source>
-        <translation>Komponenten, Parameter, Signale, Aufzeichnungen, probierte Effekte, Läufe und Texte</translation>
+        <translation>Komponenten, Parameter, Signale, Aufzeichnungen, geprüfte Effekte, Läufe und Texte</translation>
     </message>
     <message>
         <source>Add a picture to the diagram</source>
@@ -4699,6 +4699,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>Pictures (*.png *.jpg *.jpeg *.bmp *.gif *.svg)</source>
         <translation>Bilder (*.png *.jpg *.jpeg *.bmp *.gif *.svg)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: save the study under another name.</source>
+        <translation>%1 lässt sich nicht schreiben: Die Studie unter einem anderen Namen sichern.</translation>
     </message>
 </context>
 <context>
@@ -5039,6 +5043,10 @@ gehalten: Jeder Wert gilt bis zum nächsten Abtastwert</translation>
     <message>
         <source>%1 cannot be converted to %2, the unit of the model.</source>
         <translation>%1 lässt sich nicht in %2, die Einheit des Modells, umrechnen.</translation>
+    </message>
+    <message>
+        <source>Put into the model as a source</source>
+        <translation>Als Quelle ins Modell setzen</translation>
     </message>
 </context>
 <context>
@@ -14241,6 +14249,14 @@ Bitte den Namen prüfen.</translation>
         <source>measured less simulated, %1</source>
         <translation>gemessen minus simuliert, %1</translation>
     </message>
+    <message>
+        <source>Sensitivities</source>
+        <translation>Empfindlichkeiten</translation>
+    </message>
+    <message>
+        <source>how far %1 moves per relative change of %2, %3</source>
+        <translation>wie weit sich %1 je relativer Änderung von %2 bewegt, %3</translation>
+    </message>
 </context>
 <context>
     <name>SignalModel</name>
@@ -14364,6 +14380,10 @@ Bitte den Namen prüfen.</translation>
     <message>
         <source>Simulating %1</source>
         <translation>%1 wird simuliert</translation>
+    </message>
+    <message>
+        <source>Sensitivities</source>
+        <translation>Empfindlichkeiten</translation>
     </message>
 </context>
 <context>

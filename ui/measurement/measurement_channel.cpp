@@ -1,19 +1,76 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <QActionGroup>
 #include <QMenu>
 #include <QToolTip>
 #include <QTreeWidget>
+#include <cctype>
+#include <limits>
 
 #include "core/base/unit.hpp"
 #include "core/measure/all_channels.hpp"
+#include "core/measure/channel.hpp"
 #include "core/measure/channel_place.hpp"
+#include "core/signal/few_points.hpp"
 #include "core/study/recorded.hpp"
+#include "ui/document/composer.hpp"
 #include "ui/document/document.hpp"
 #include "ui/measurement/mapping_text.hpp"
 #include "ui/measurement/measurement_panel.hpp"
 #include "ui/words/common_units.hpp"
+#include "ui/words/words.hpp"
 
-/// What is said of a channel that is mapped: its clock, its unit, and how an input runs between its samples.
+/// What is said of a channel that is mapped: its clock, its unit, and how an input runs between its samples; and a
+/// channel as a source of the model.
 namespace analogon::ui {
+
+namespace {
+
+/// Of a mapped channel in the unit of the model; of another in the coherent one of the SI.
+std::string unitOfSource(const Column& column, const std::string& wanted) {
+    if (!wanted.empty()) return wanted;
+    const std::optional<Dimension> dimension = dimensionOf(column.unit);
+    return dimension ? analogon::text(*dimension) : column.unit;
+}
+
+std::string sourceName(const std::string& column) {
+    std::string name = column;
+    for (char& c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+    return isModelicaName(name) ? name : "recorded";
+}
+
+/// The channel as a line through few of its points, from the first of them on.
+Outcome<std::string> sourceOf(const Tables& tables, StudyExperiment experiment, const ChannelMapping& mapping,
+                              const std::string& unit) {
+    constexpr std::size_t most = 200;  // what one still reads past in a text
+    constexpr double share = 1e-3;     // of its range, by which the line may be off
+    findTime(tables, experiment);
+    const std::shared_ptr<const Table> table = shownTable(tables, experiment);
+    const Column* column = table ? table->find(mapping.column) : nullptr;
+    if (!column || column->values.empty())
+        return error(phrase("{} was not read from its file", mapping.column), {},
+                     phrase("Map it to an input or an output of the model."));
+    const Outcome<std::vector<double>> time = readTime(*table, experiment.timeColumn);
+    if (!time) return time.diagnostics();
+    Outcome<std::vector<double>> values =
+        readChannel(*table, mapping, unitOfSource(*column, unit), EmptyCells::NotMeasured);
+    if (!values) return values.diagnostics();
+    for (std::size_t i = 0; experiment.range && i < values->size(); ++i)
+        if ((*time)[i] < experiment.range->first || (*time)[i] > experiment.range->second)
+            (*values)[i] = std::numeric_limits<double>::quiet_NaN();
+    std::vector<std::string> t, v;
+    const std::vector<std::size_t> points = fewPoints(*time, *values, most, share);
+    for (const std::size_t i : points) {
+        t.push_back(fmt::format("{:.9g}", (*time)[i] - (*time)[points.front()]));
+        v.push_back(fmt::format("{:.6g}", (*values)[i]));
+    }
+    return fmt::format("Analogon.Sources.TimeTable {}(t={{{}}}, value={{{}}})", sourceName(mapping.column),
+                       fmt::join(t, ", "), fmt::join(v, ", "));
+}
+
+}  // namespace
 
 void MeasurementPanel::setClock(const QTreeWidgetItem* item, const QString& typed) {
     const ChannelMapping* mapping = mappingOf(item);
@@ -54,6 +111,39 @@ void MeasurementPanel::addInterpolation(QMenu& menu, const QTreeWidgetItem* item
         group->addAction(action);
     }
     menu.addSeparator();
+}
+
+void MeasurementPanel::addSource(QMenu& menu, const QTreeWidgetItem* item) {
+    const StudyExperiment* experiment = experimentOf(item);
+    const QString label = item->data(1, columnRole).toString();
+    const auto file = experiment ? fileTable(document_.study().tables, *experiment) : nullptr;
+    if (label.isEmpty() || !file) return;
+    ChannelMapping mapping;
+    std::string unit;
+    if (const ChannelMapping* known = mappingOf(item)) {
+        mapping = *known;
+        unit = unitInModel(item);
+    } else {
+        const ChannelName name = channelOf(*file, label.toStdString());
+        mapping.column = name.column;
+        mapping.group = name.group;
+    }
+    menu.addAction(tr("Put into the model as a source"), this,
+                   [this, recording = *experiment, mapping, unit] { makeSource(recording, mapping, unit); });
+}
+
+void MeasurementPanel::makeSource(const StudyExperiment& experiment, const ChannelMapping& mapping,
+                                  const std::string& unit) {
+    sourceMaker_.start<Outcome<std::string>>(
+        tr("Reading"),
+        [tables = document_.study().tables, experiment, mapping, unit](const Progress&) {
+            return sourceOf(tables, experiment, mapping, unit);
+        },
+        [this](const Outcome<std::string>& made) {
+            if (made) return Q_EMIT sourceMade(QString::fromStdString(*made));
+            const Diagnostic& why = made.diagnostics().front();
+            Q_EMIT told(why.hint.empty() ? inWords(why.message) : inWords(why.message) + ". " + inWords(why.hint));
+        });
 }
 
 /// In which the file says the column is written; empty: it says nothing.

@@ -320,6 +320,7 @@ void MeasurementPanel::showMenu(QPoint at) {
                 Q_EMIT comparisonWanted(item->data(0, signalRole).toString(),
                                         item->parent()->data(0, experimentRole).toString());
             });
+        addSource(*menu, item);
         addInterpolation(*menu, item);
         while (item->parent()) item = item->parent();
         const bool isFit = experiment->role == Role::Fit;

@@ -54,6 +54,9 @@ Q_SIGNALS:
     void locateWanted(const QString& experiment);
     void tableWanted();
     void comparisonWanted(const QString& signal, const QString& experiment);
+    /// The declaration of a source that repeats a recorded channel, without a place in the diagram.
+    void sourceMade(const QString& declaration);
+    void told(const QString& sentence);  // why something was not done
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -88,6 +91,8 @@ private:
     std::string unitInModel(const QTreeWidgetItem* item) const;
     QStringList unitsFor(const QTreeWidgetItem* item) const;
     void addInterpolation(QMenu& menu, const QTreeWidgetItem* item);
+    void addSource(QMenu& menu, const QTreeWidgetItem* item);
+    void makeSource(const StudyExperiment& experiment, const ChannelMapping& mapping, const std::string& unit);
     void removeExperiment();
     void showMenu(QPoint at);
     void showValuesOf(const QTreeWidgetItem* item);
@@ -96,7 +101,7 @@ private:
     void change(const QTreeWidgetItem* item, const QString& what, const std::function<void(StudyExperiment&)>& edit);
 
     Document& document_;
-    JobRunner measurer_;
+    JobRunner measurer_, sourceMaker_;
     QTreeWidget* tree_;
     QStackedLayout* pages_;
     QLabel* empty_;

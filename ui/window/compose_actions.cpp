@@ -1,5 +1,7 @@
 #include "ui/window/compose_actions.hpp"
 
+#include <fmt/format.h>
+
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
@@ -316,6 +318,21 @@ void ComposeActions::pasteText(const std::string& text, double dx, double dy) {
     if (names.empty()) return;
     scene_.setSelection({names, {}});
     view_.refitIfHidden();
+}
+
+void ComposeActions::placeDeclared(const QString& declaration) {
+    double left = 10, top = 30;
+    for (const Block& block : document_.diagram().blocks) {
+        const auto [low, high] = boxOf(block.placement);
+        left = std::min(left, low.x);
+        top = std::max(top, high.y);
+    }
+    const auto [low, high] = boxOf(freePlacement(document_.diagram(), {left - 30, top - 10}, 20, 20));
+    const std::string place = fmt::format("extent={{{{{:g},{:g}}},{{{:g},{:g}}}}}", low.x, low.y, high.x, high.y);
+    pasteText("model Clipboard\n  " + declaration.toStdString() + " annotation (Placement(transformation(" + place +
+                  ")));\nend Clipboard;\n",
+              0, 0);
+    view_.setFocus();
 }
 
 void ComposeActions::paste() {

@@ -33,6 +33,8 @@ public:
     Composer& composer() { return *composer_; }
     /// A block of this class where there is room, selected.
     void placeAnywhere(const QString& className);
+    /// A component as a text declares it, left of all others, selected.
+    void placeDeclared(const QString& declaration);
     /// A picture of a file, which comes to lie in the model.
     void addPicture(const QString& file);
 

@@ -1,3 +1,4 @@
+#include <QStatusBar>
 #include <QTabWidget>
 #include <QTableWidget>
 
@@ -11,6 +12,7 @@
 #include "ui/measurement/values_page.hpp"
 #include "ui/plot/plot_panel.hpp"
 #include "ui/sensitivity/sensitivity_page.hpp"
+#include "ui/window/compose_actions.hpp"
 #include "ui/window/main_window.hpp"
 
 /// Pages that come beside the diagram when they are asked for, and go again.
@@ -44,6 +46,12 @@ void MainWindow::leaveComparison() {
 
 void MainWindow::connectRecordings() {
     connect(measurements_, &MeasurementPanel::tableWanted, this, &MainWindow::showRecordings);
+    connect(measurements_, &MeasurementPanel::sourceMade, this, [this](const QString& declaration) {
+        showDiagram();
+        compose_->placeDeclared(declaration);
+    });
+    connect(measurements_, &MeasurementPanel::told, this,
+            [this](const QString& sentence) { statusBar()->showMessage(sentence, 8000); });
     connect(recordings_, &RecordingsPage::left, this, &MainWindow::leaveRecordings);
     connect(recordings_, &RecordingsPage::valuesWanted, this, &MainWindow::showValues);
     connect(recordings_, &RecordingsPage::locateWanted, this, &MainWindow::askWhereItIs);
