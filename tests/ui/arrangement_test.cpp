@@ -49,6 +49,26 @@ TEST_F(Arrangements, AreOneKeyApartAndLeadBack) {
     EXPECT_EQ(shown(window), all) << "the same key again";
 }
 
+/// In a stack the tab says the name; where the others of it are closed there is no tab.
+TEST_F(Arrangements, APanelThatIsAloneInItsPlaceHasItsTitle) {
+    openLambda();
+    const auto hasTitle = [&](const char* dock) {
+        return QTest::qWaitFor([&] { return panel<QDockWidget>(dock)->titleBarWidget()->height() > 10; }, 1000);
+    };
+    const auto hasNone = [&](const char* dock) {
+        return QTest::qWaitFor([&] { return panel<QDockWidget>(dock)->titleBarWidget()->height() < 10; }, 1000);
+    };
+    EXPECT_TRUE(hasNone("signals")) << "beside the library";
+    QTest::keyClick(&window, Qt::Key_F8);
+    EXPECT_TRUE(hasTitle("signals"));
+    EXPECT_TRUE(hasTitle("measurements"));
+    QTest::keyClick(&window, Qt::Key_F7);
+    EXPECT_TRUE(hasTitle("library"));
+    EXPECT_TRUE(hasTitle("messages"));
+    QTest::keyClick(&window, Qt::Key_F7);
+    EXPECT_TRUE(hasNone("library")) << "all are there again";
+}
+
 /// A screen of 1024 x 700, and one of 1280 x 720 at 150 %.
 TEST_F(Arrangements, LeaveRoomForTheDiagramInSmallWindows) {
     openLambda();
@@ -174,6 +194,49 @@ TEST_F(Arrangements, NamesOfWhatWasTriedHaveRoomInASmallWindow) {
             EXPECT_GE(label->height(), label->heightForWidth(label->width())) << label->text().toStdString();
         }
     QTest::keyClick(&window, Qt::Key_F9);
+    document().undoStack().setClean();
+}
+
+TEST_F(Arrangements, NamesOfWhatWasTriedHaveAsManyLinesAsTheyNeedBelowTheHeadingOfTheirRound) {
+    openLambda();
+    RunResult result = sampleFinding(document(), "thermal.radiation", "Analogon.Effects.Thermal.Radiation",
+                                     "Heat radiation to constant surroundings", "element.solid", "port", "epsilon");
+    ASSERT_FALSE(result.finding.candidates.empty());
+    for (const char* name : {"radiation to surroundings whose temperature was recorded beside the model",
+                             "convection that depends on the temperature of what flows past it"}) {
+        result.finding.candidates.push_back(result.finding.candidates.back());
+        result.finding.candidates.back().kind = name;  // shown where there is no class of it
+        result.finding.candidates.back().className.clear();
+    }
+    document().setResult(RunKind::Discover, result, document().study());
+    auto* results = panel<ResultPanel>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return results->candidates() != nullptr; }, 5000));
+    panel<QDockWidget>("result")->raise();
+    QTreeWidget* list = results->candidates();
+    int lines = 0;
+    for (const bool isByRound : {false, true}) {
+        if (results->roundBox()->isChecked() != isByRound)
+            QTest::mouseClick(results->roundBox(), Qt::LeftButton, {}, QPoint(8, results->roundBox()->height() / 2));
+        list = results->candidates();
+        for (int width = 260; width <= 420; width += 20) {
+            list->setFixedWidth(width);
+            QTest::qWait(20);
+            const int before = isByRound ? list->indentation() : 0;
+            for (QTreeWidgetItemIterator row(list); *row; ++row) {
+                if (!(*row)->data(0, ResultPanel::RankRole).isValid()) continue;
+                const QVariant own = (*row)->data(0, Qt::FontRole);
+                const QFontMetrics letters(own.isValid() ? own.value<QFont>() : list->font());
+                const int room = list->columnWidth(0) - before -
+                                 2 * list->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, list);
+                const int needed =
+                    letters.boundingRect(QRect(0, 0, room, 1000), Qt::TextWordWrap, (*row)->text(0)).height();
+                lines = std::max(lines, needed / letters.height());
+                EXPECT_GE(list->visualItemRect(*row).height(), needed)
+                    << width << " " << isByRound << ": " << (*row)->text(0).toStdString();
+            }
+        }
+    }
+    EXPECT_GE(lines, 3) << "else nothing is tried";
     document().undoStack().setClean();
 }
 

@@ -200,7 +200,8 @@ QRectF BlockItem::nameLine(const QTransform& toView, const QFont& font) const {
                            labelPlace_.isAbove ? body_.top() - outlineGap : body_.bottom() + outlineGap));
     const double height = QFontMetricsF(font).height(), wide = 400;
     const double left = at.x() + (labelPlace_.side - 1) * wide / 2;
-    return {left, labelPlace_.isAbove ? at.y() - height : at.y(), wide, height};
+    const double away = height * linesAway_;
+    return {left, labelPlace_.isAbove ? at.y() - height - away : at.y() + away, wide, height};
 }
 
 QRectF BlockItem::nameRect(const QTransform& toView, QFont font) const {

@@ -34,6 +34,8 @@ public:
     };
     void setLabelPlace(LabelPlace place);
     LabelPlace preferredLabelPlace() const { return {isNameAbove_, 0}; }
+    /// By how many lines the name stands further from the block than it would alone.
+    void setLinesAway(int lines) { linesAway_ = lines; }
     /// The name as it stands on the screen, with the font of the view. [px]
     QRectF nameRect(const QTransform& toView, QFont font) const;
     /// What the texts would cover there, at the zoom of a diagram that fits the window.
@@ -86,6 +88,7 @@ private:
     bool isNameAbove_{};
     bool staysInside_{true};  // no text of its icon is larger than its place
     LabelPlace labelPlace_;
+    int linesAway_{};     // by which the name stands further from the block
     QStringList values_;  // "R = 2.452"
     QStringList remarks_;
     std::vector<PortShape> ports_;

@@ -44,7 +44,8 @@ SignalBrowser::SignalBrowser(Document& document, QWidget* parent)
     tree_->header()->setStretchLastSection(false);
     tree_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     tree_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
-    tree_->header()->resizeSection(1, 16 * fontMetrics().averageCharWidth());
+    tree_->header()->resizeSection(1, fontMetrics().horizontalAdvance("W/(m2.K)") + 2 * style::unit);
+    tree_->setIndentation(3 * style::unit);  // the names need the room
     tree_->installEventFilter(this);
     style::showWhenEmpty(tree_, tr("Nothing is called so."));
     show_ = new QToolButton;

@@ -92,6 +92,8 @@ QPalette darkPalette() {
 
 /// Fusion without its gradients: flat bars, tabs and headers, rows with air between them, and check marks that can be
 /// seen on a dark ground.
+constexpr int smallWindow = 1100;  // [px] wide
+
 class Flat : public QProxyStyle {
 public:
     Flat() : QProxyStyle(QStyleFactory::create("Fusion")) {}
@@ -104,6 +106,8 @@ public:
                 return unit;
             case PM_TabBarTabShiftVertical:
                 return 0;
+            case PM_TabBarTabHSpace:  // in a small window the words of the tabs need the room
+                return widget && widget->window()->width() < smallWindow ? 2 * unit : 6 * unit;
             case PM_FocusFrameHMargin:  // beside the text of a cell
                 return unit - 1;
             case PM_DockWidgetSeparatorExtent:
@@ -587,7 +591,7 @@ public:
 
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
         QStyleOptionViewItem narrow = option;  // views ask without a width
-        narrow.rect = QRect(0, 0, view_->columnWidth(index.column()), option.fontMetrics.height());
+        narrow.rect = QRect(0, 0, view_->columnWidth(index.column()) - indentOf(index), option.fontMetrics.height());
         const int height = QStyledItemDelegate::sizeHint(narrow, index).height();
         const bool isOneLine = height < 2 * option.fontMetrics.height();
         return {0, isOneLine ? height : height + 2 * unit};  // air between rows, as those of one line have it
@@ -600,6 +604,14 @@ protected:
     }
 
 private:
+    /// What the levels above leave free in front of the first column.
+    int indentOf(const QModelIndex& index) const {
+        if (index.column() != view_->header()->logicalIndex(0)) return 0;
+        int depth = view_->rootIsDecorated() ? 1 : 0;
+        for (QModelIndex above = index.parent(); above.isValid(); above = above.parent()) ++depth;
+        return depth * view_->indentation();
+    }
+
     QTreeView* view_;
 };
 

@@ -62,9 +62,12 @@ QList<QDockWidget*> MainWindow::docks() const {
 }
 
 void MainWindow::updateDockTitles() {
-    for (QDockWidget* dock : docks())
-        static_cast<DockTitle*>(dock->titleBarWidget())
-            ->setCollapsed(!dock->isFloating() && !tabifiedDockWidgets(dock).isEmpty());
+    for (QDockWidget* dock : docks()) {
+        const QList<QDockWidget*> stack = tabifiedDockWidgets(dock);  // with those that are closed, which have no tab
+        const bool hasTab =
+            std::any_of(stack.begin(), stack.end(), [](const QDockWidget* d) { return !d->isHidden(); });
+        static_cast<DockTitle*>(dock->titleBarWidget())->setCollapsed(!dock->isFloating() && hasTab);
+    }
 }
 
 /// A screen of 1280 x 720 pixels at 150 % leaves 853 x 480.
