@@ -86,8 +86,10 @@ void MainWindow::save() {
     const QFileInfo now(document_->path());
     const bool isWritable = now.exists() ? now.isWritable() : QFileInfo(now.path()).isWritable();
     const bool isPlace = !document_->path().isEmpty() && now.fileName() != "study.json" && isWritable;
-    if (!isPlace || isExample(document_->path())) return askWhereToSave();
-    saveTo(document_->path());
+    if (isPlace && !isExample(document_->path())) return saveTo(document_->path());
+    askWhereToSave();
+    if (!document_->path().isEmpty() && !isWritable)
+        statusBar()->showMessage(tr("%1 cannot be written: save the study under another name.").arg(now.fileName()));
 }
 
 void MainWindow::saveTo(const QString& path) {
