@@ -69,6 +69,39 @@ TEST_F(ImportOfTimes, SaysThatTheRatesOfAFileAreShownTogether) {
     EXPECT_EQ(fileTable(document().study().tables, document().study().experiments.back())->others.size(), 1u);
 }
 
+/// The least height that a page which scrolls may give it, where one line of the question was counted: the rest lay
+/// over the rows below.
+TEST(QuestionInLittleRoom, KeepsItsAnswersBelowItsRowsHoweverManyLinesItTakes) {
+    Question asked;
+    asked.text = phrase("does the mark in '{}' stand for decimals or between thousands, as some have it", "60,100");
+    QuestionRows rows;
+    for (int i = 0; i < 5; ++i)
+        rows.rows.push_back({i + 2, "0;60,100;1.110", {phrase("{}", 60.1), phrase("{}", 60100)}});
+    for (const double value : {60.1, 60100.0}) asked.readings.push_back({phrase("'{}' is {}", "60,100", value), {}});
+    QuestionCard card;
+    card.ask(asked, rows, {});
+    const auto labels = card.findChildren<QLabel*>();
+    ASSERT_FALSE(labels.isEmpty());
+    const QLabel* heading = labels.front();
+    int mostLines = 0;
+    for (int width = 300; width <= 700; width += 40) {
+        card.resize(width, 600);
+        card.show();
+        QTest::qWait(10);
+        card.resize(width, card.minimumSizeHint().height());
+        QTest::qWait(10);
+        for (const QLabel* text : labels)
+            EXPECT_GE(text->height(), text->heightForWidth(text->width())) << width << ": " << qPrintable(text->text());
+        for (const QPushButton* answer : card.buttons()) {
+            EXPECT_FALSE(answer->geometry().intersects(card.table()->geometry())) << width;
+            EXPECT_FALSE(answer->geometry().intersects(heading->geometry())) << width;
+        }
+        EXPECT_FALSE(heading->geometry().intersects(card.table()->geometry())) << width;
+        mostLines = std::max(mostLines, heading->height() / heading->fontMetrics().height());
+    }
+    EXPECT_GE(mostLines, 2) << "else nothing is tried";
+}
+
 TEST_F(ImportOfTimes, TheAnswersOfAQuestionLieBelowItsRowsHoweverManyLinesItTakes) {
     openLambda();
     window.open(write("n.csv", "t [s];T [degC];p [mbar]\n0;60,100;1.110\n1;60,107;1.113\n2;60,114;1.116\n"));
