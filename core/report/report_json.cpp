@@ -125,6 +125,8 @@ Json effectJson(const AddedEffect& effect) {
                               {"error_percent_after", number(effect.prediction->errorPercentAfter)},
                               {"blocks", effect.prediction->blocks},
                               {"better_in", effect.prediction->betterIn}};
+    if (effect.prediction && effect.prediction->besideFlow)
+        json["prediction"]["delta_bic_beside_flow"] = number(-*effect.prediction->besideFlow);
     return json;
 }
 

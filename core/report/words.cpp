@@ -104,6 +104,11 @@ Text confidenceWords(const AddedEffect& effect) {
     if (!effect.prediction) return phrase("indicated: the search ended before its last tests");
     const auto [before, after] =
         percentTexts(effect.prediction->errorPercentBefore, effect.prediction->errorPercentAfter);
+    if (effect.prediction->besideFlow)
+        return phrase(
+            "indicated: structure remains, but beside a flow that nobody measured it is far likelier than that flow "
+            "alone and than any other name; the error of what was left out of the fit goes from {} to {}",
+            before, after);
     return phrase(
         "indicated: structure remains, but with it the error of what was left out of the fit falls from {} "
         "to {}, in {} of {} parts",

@@ -229,6 +229,7 @@ void members(Of& of, Prediction& p) {
     of.member("blocks", p.blocks);
     of.member("better_in", p.betterIn);
     of.member("are_recordings", p.areRecordings);
+    of.member("beside_flow", p.besideFlow);
 }
 
 template <class Of>

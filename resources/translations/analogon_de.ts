@@ -11844,6 +11844,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>{}; {} leistet fast ebenso viel</translation>
     </message>
     <message>
+        <source>indicated: structure remains, but beside a flow that nobody measured it is far likelier than that flow alone and than any other name; the error of what was left out of the fit goes from {} to {}</source>
+        <translation>angezeigt: Struktur bleibt, aber neben einem Fluss, den niemand gemessen hat, ist er weit wahrscheinlicher als dieser Fluss allein und als jeder andere Name; der Fehler dessen, was aus der Anpassung weggelassen wurde, geht von {} auf {}</translation>
+    </message>
+    <message>
+        <source>less likely than {} beside a flow that nobody measured</source>
+        <translation>weniger wahrscheinlich als {} neben einem Fluss, den niemand gemessen hat</translation>
+    </message>
+    <message>
         <source>predicts less well what was left out than {}</source>
         <translation>sagt weniger gut voraus, was weggelassen wurde, als {}</translation>
     </message>

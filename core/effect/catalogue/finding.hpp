@@ -84,6 +84,9 @@ struct Prediction {
     int blocks{}, betterIn{};                          // parts that were left out, and those in which it is better
     bool areRecordings{};                              // the parts are whole recordings
     int clearlyIn{};                                   // parts in which it is better by a good part of the error
+    /// Evidence [BIC] for the effect beside the flow that is likeliest with it, where it was chosen by that: a flow
+    /// that nobody measured leaves as much, and may hide how much better the model predicts.
+    std::optional<double> besideFlow{};
 
     /// Share of the error of what was left out.
     double removed() const { return errorPercentBefore > 0 ? 1 - errorPercentAfter / errorPercentBefore : 0; }

@@ -321,7 +321,8 @@ public:
             metric_ = disturbance_->likeliest(here_.fit.optimum.residuals);
             idle = isFallen(least_.misfit, metric_.misfit) ? 0 : idle + 1;
             if (metric_.misfit < least_.misfit)
-                least_ = {metric_.misfit, disturbance_->independentShare(here_.fit.optimum.residuals, metric_)};
+                least_ = {metric_.misfit, disturbance_->independentShare(here_.fit.optimum.residuals, metric_),
+                          here_.variant.values};
             if (!prepared_ || progress_.stopRequested()) break;
             if (round == 0) {
                 places = disturbance_->likelyPlaces(here_.fit.optimum, threshold::likely::likelyShare);
@@ -400,7 +401,7 @@ private:
     Outcome<PreparedTask> prepared_;
     std::optional<Disturbance> disturbance_;
     Disturbance::Metric metric_;
-    BesideDisturbance least_{std::numeric_limits<double>::infinity(), 1};
+    BesideDisturbance least_{std::numeric_limits<double>::infinity(), 1, {}};
 };
 
 }  // namespace
@@ -416,6 +417,23 @@ LikelySource likeliestSource(const NullModel& model, const SimulationOptions& si
 BesideDisturbance besideDisturbance(const NullModel& model, const SimulationOptions& simulation,
                                     const Progress& progress, std::size_t most) {
     return Descent(model, simulation, progress, most).run();
+}
+
+BesideDisturbance besideDisturbanceAlso(const BesideDisturbance& alone, const NullModel& with,
+                                        const SimulationOptions& simulation, const Progress& progress,
+                                        std::size_t most) {
+    const BesideDisturbance here = besideDisturbance(with, simulation, progress, most);
+    NullModel there = with;
+    for (ParameterValue& own : there.variant.values)
+        for (const ParameterValue& other : alone.values)
+            if (other.name == own.name && other.experiment == own.experiment) own.value = other.value;
+    const Outcome<PreparedTask> prepared = prepareAt(there.variant, there.noise);
+    if (!prepared) return here;
+    there.fit.optimum =
+        linearise(prepared->problem, prepared->problem.startValues(), true, there.fit.plans, simulation, progress);
+    if (!there.fit.optimum.ok || !there.fit.optimum.jacobian.allFinite()) return here;
+    const BesideDisturbance other = besideDisturbance(there, simulation, progress, most);
+    return other.misfit < here.misfit ? other : here;
 }
 
 double evidenceBeside(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int more) {

@@ -107,8 +107,9 @@ LikelySource likeliestSource(const NullModel& model, const SimulationOptions& si
 
 /// A model beside the flow that is likeliest with it.
 struct BesideDisturbance {
-    double misfit{};       // -2 ln of the likelihood, but for a constant, in independent samples
-    double independent{};  // share of the samples, in what neither model nor flow explains
+    double misfit{};                       // -2 ln of the likelihood, but for a constant, in independent samples
+    double independent{};                  // share of the samples, in what neither model nor flow explains
+    std::vector<ParameterValue> values{};  // of the parameters there
 };
 
 /// At the parameters that are likeliest with both, which plain least squares may miss by far: there they have given way
@@ -116,6 +117,12 @@ struct BesideDisturbance {
 /// for, but no more than `most`: where noise is left, one is the memory that it may have.
 BesideDisturbance besideDisturbance(const NullModel& model, const SimulationOptions& simulation,
                                     const Progress& progress, std::size_t most = mostDisturbances);
+
+/// The same of a model with an effect, from where least squares came to and, since the flow may have led that astray,
+/// also from where the model without it is likeliest (`alone`): the better of both.
+BesideDisturbance besideDisturbanceAlso(const BesideDisturbance& alone, const NullModel& with,
+                                        const SimulationOptions& simulation, const Progress& progress,
+                                        std::size_t most = mostDisturbances);
 
 /// Decrease of BIC from one model to another that has `more` parameters, each beside its disturbance; of `rows`
 /// samples.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/range.hpp"
+#include "core/effect/judge/disturbance.hpp"
 #include "core/effect/model/held_out.hpp"
 #include "core/effect/model/model_state.hpp"
 #include "core/effect/thresholds.hpp"
@@ -11,6 +12,7 @@
 namespace analogon {
 
 using namespace threshold::prediction;
+using threshold::acceptance::clearEvidence;
 using threshold::acceptance::heldOutFolds;
 
 namespace {
@@ -137,6 +139,16 @@ Prediction predict(const NullModel& without, const FitResult& with) {
     return sum.of(Cut(recordingsIn(without.channels)).areWhole);
 }
 
+Prediction predictAsChosen(const Prediction& chosen, const NullModel& without, const NullModel& with, int more,
+                           const SimulationOptions& simulation, const Progress& progress) {
+    Prediction found = predict(without, with.fit);
+    if (!chosen.besideFlow) return found;
+    const BesideDisturbance alone = besideDisturbance(without, simulation, progress);
+    found.besideFlow = evidenceBeside(alone, besideDisturbanceAlso(alone, with, simulation, progress),
+                                      with.fit.optimum.residuals.size(), more);
+    return found;
+}
+
 namespace {
 
 /// A model on its fitted recordings alone, with the noise of each.
@@ -219,6 +231,7 @@ std::optional<Prediction> predictByRefits(const NullModel& without, const NullMo
 }
 
 bool isClearlyBetter(const Prediction& prediction) {
+    if (prediction.besideFlow) return *prediction.besideFlow > clearEvidence && prediction.removed() > 0;
     const double most = prediction.areRecordings ? mostOfRecordings : mostOfParts;
     // Of whole recordings each must bear it out by itself: where one cannot be foretold without the others (its sign of
     // a torque is in no other), that one alone would decide. Parts of one recording hang together: as in a sign test,

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/effect/thresholds.hpp"
+
 namespace analogon {
 
 Text nameOf(const Candidate& candidate) { return phrase("{} at {}", candidate.effect.kind, candidate.place.at); }
@@ -55,6 +57,8 @@ Text noMoreThanDisturbance() {
 }
 
 Text predictsNoBetter(const Prediction& prediction) {
+    if (prediction.besideFlow && !(*prediction.besideFlow > threshold::acceptance::clearEvidence))
+        return noMoreThanDisturbance();
     return phrase(
         "what was left out is not predicted clearly better with it: the error goes from {:.3g} to {:.3g} %, "
         "lower in {} of {} parts",

@@ -175,6 +175,7 @@ Outcome<Node> bestPathFrom(SearchContext& search, NullModel& base) {
                                                  [&](const PlacedEffect& e) { return lacksAPart(e, best.null.fit); });
     if (!hasMore && !isOdd && (isNoise(best.null) || isColouredNoise(search, best.null))) return best;
     if (!isNoise(best.null) && isCourseAll(search, base, best.null)) return best;
+    if (!isNoise(best.null)) seekLikeliest(search, base, first);
 
     addUnprovenPaths(search, best, base, first);
     if (search.frontier.beginsAnew) return best;

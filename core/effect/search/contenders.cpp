@@ -33,13 +33,13 @@ bool mayBeIndicated(const PlacedEffect& placed) {
 
 void tell(const Journal& journal, const std::string& step, const std::string& key, const Prediction& p,
           const std::string& verdict) {
-    journal.add(step, key,
-                {{"before", p.errorPercentBefore},
-                 {"after", p.errorPercentAfter},
-                 {"blocks", static_cast<double>(p.blocks)},
-                 {"better_in", static_cast<double>(p.betterIn)},
-                 {"clearly_in", static_cast<double>(p.clearlyIn)}},
-                verdict);
+    Decision::Figures values{{"before", p.errorPercentBefore},
+                             {"after", p.errorPercentAfter},
+                             {"blocks", static_cast<double>(p.blocks)},
+                             {"better_in", static_cast<double>(p.betterIn)},
+                             {"clearly_in", static_cast<double>(p.clearlyIn)}};
+    if (p.besideFlow) values.emplace_back("delta_bic_beside_flow", -*p.besideFlow);
+    journal.add(step, key, values, verdict);
 }
 
 std::vector<Contender> contendersOf(const SearchContext& search, const NullModel& null,
@@ -122,12 +122,12 @@ Outcome<NullModel> besideNoiseOf(const SearchContext& search, const NullModel& m
     return fitNull(model.variant, other.noise, NoiseLevel::Keep, search.fit, search.progress);
 }
 
-/// A node with what a round has chosen, refitted; nothing where the whole does not predict clearly better than it did
-/// before: a trial that has not come to its end may seem to.
-std::optional<Node> withChoice(SearchContext& search, const Node& node, const Round& round) {
+}  // namespace
+
+std::optional<Node> withChoice(SearchContext& search, const Node& node, const Round& round, const Prediction& chosen) {
     Node next = node;
     Step step = stepOf(search, node.null, round);
-    step.prediction.emplace();
+    step.prediction = chosen;
     Outcome<NullModel> fitted =
         fitNull(step.winner.variant, node.null.noise, NoiseLevel::Estimate, search.fit, search.progress);
     if (!fitted || search.progress.stopRequested()) return std::nullopt;
@@ -137,22 +137,23 @@ std::optional<Node> withChoice(SearchContext& search, const Node& node, const Ro
     seekFromTheStart(search, search.readings.searched, next.null);
     const Outcome<NullModel> before = besideNoiseOf(search, node.null, next.null);
     if (!before || search.progress.stopRequested()) return std::nullopt;
-    Prediction prediction = predict(*before, next.null.fit);
-    if (isClearlyBetter(prediction))
+    const int freed = static_cast<int>(next.null.variant.effects.back().freed.size());
+    Prediction prediction = predictAsChosen(chosen, *before, next.null, freed, search.fit.simulation, search.progress);
+    if (isClearlyBetter(prediction) && !prediction.besideFlow)
         if (const auto exact = predictByRefits(*before, next.null, search.fit, search.progress)) prediction = *exact;
     const bool isClear = isClearlyBetter(prediction) && !search.progress.stopRequested();
-    const Candidate& chosen = round.candidate(*round.chosen);
-    tell(search.journal, "predict", keyOf(chosen.effect, chosen.place), prediction, isClear ? "taken" : "set aside");
+    const Candidate& candidate = round.candidate(*round.chosen);
+    tell(search.journal, "predict", keyOf(candidate.effect, candidate.place), prediction,
+         isClear ? "taken" : "set aside");
+    next.steps.back().prediction = prediction;
     return isClear ? std::optional(std::move(next)) : std::nullopt;
 }
-
-}  // namespace
 
 std::optional<Node> firstThatHolds(SearchContext& search, const Node& node, std::vector<Contender> contenders,
                                    Round& round, const std::function<bool(const Node&)>& accepts) {
     for (std::size_t tries = 0; tries < mostTries && !contenders.empty() && !search.progress.stopRequested(); ++tries) {
         chooseAmong(search, node.null, contenders, tries == 0 ? First::Simplest : First::Best, round);
-        if (std::optional<Node> next = withChoice(search, node, round); next && accepts(*next)) {
+        if (std::optional<Node> next = withChoice(search, node, round, Prediction{}); next && accepts(*next)) {
             noteAll(search, *next, round);
             return next;
         }

@@ -44,6 +44,10 @@ void chooseAmong(const SearchContext& search, const NullModel& null, const std::
 /// Takes the round's choice, which has failed, out of the contenders, with those that follow the same course.
 void passOver(const Round& round, std::vector<Contender>& contenders);
 
+/// A node with what a round has chosen, refitted; nothing where the whole does not predict clearly better than it did
+/// before: a trial that has not come to its end may seem to. `chosen`: what it was chosen by.
+std::optional<Node> withChoice(SearchContext& search, const Node& node, const Round& round, const Prediction& chosen);
+
 /// Tries up to mostTries of the contenders, the simplest first and then the best: the node with the first that,
 /// refitted, makes it predict clearly better and that `accepts` takes; it is the round's choice then. Nothing: none
 /// does.

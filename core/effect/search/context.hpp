@@ -64,6 +64,7 @@ struct Whole {
     bool predicts{};                          // clearly better than the model as given
     bool isOnAll{};                           // the node is of all samples, where the search works on fewer
     std::optional<ModelState> errorsOnAll{};  // at its values, without bands; there alone
+    bool isBehindLikeliest{};                 // predicts no better than BestOfNamed::likeliest, and leaves structure
 };
 
 /// Where a search has been: what follows there is known.
@@ -77,6 +78,14 @@ struct BestOfNamed {
     std::optional<Whole> whole{};      // what an interrupted search reports
     std::optional<Whole> clear{};      // that was clear, where `whole` is not
     std::optional<Whole> unweighed{};  // better by what a round chose and has not weighed against the rest
+    std::optional<Whole> likeliest{};  // what predicts best beside the model as given, or is likeliest beside a flow;
+                                       // told where none of these is clear, or predicts better
+};
+
+/// What is likelier beside the model as given than a flow alone that nobody measured.
+struct LikeliestBesideFlow {
+    bool isSought{};
+    std::optional<Node> node{};  // none is
 };
 
 /// The nodes that were reached.
@@ -86,6 +95,7 @@ struct Frontier {
     std::optional<NullModel> origin{};  // of the path: without effects
     std::optional<Node> opening{};      // where the first choice of all led
     BestOfNamed best{};
+    LikeliestBesideFlow likeliest{};
     std::vector<CandidateResult> noted{};  // of the path that was walked on last
     std::optional<Finding> begun{};        // the model as given: from there on there is something to report
     bool isIndicating{};                   // the last pass: also what only stands in for another name is tried

@@ -6,6 +6,7 @@
 #include "core/effect/judge/prediction.hpp"
 #include "core/effect/judge/reason.hpp"
 #include "core/effect/model/model_state.hpp"
+#include "core/effect/search/beside_flow.hpp"
 #include "core/effect/search/contenders.hpp"
 #include "core/effect/search/context.hpp"
 #include "core/effect/search/exchange.hpp"
@@ -40,7 +41,9 @@ void keepWhatPredicts(SearchContext& search, Node& node) {
             std::optional<NullModel> rest = without(search, node.null, i);
             if (!rest) continue;
             seekFromTheStart(search, search.readings.searched, *rest);
-            const Prediction prediction = predict(*rest, node.null.fit);
+            const Prediction prediction =
+                predictAsChosen(*step.prediction, *rest, node.null, static_cast<int>(placed.freed.size()),
+                                search.fit.simulation, search.progress);
             const bool isClear = isClearlyBetter(prediction) && !isAtBound(placed, node.null.fit);
             tell(search.journal, "predict", keyOf(placed.effect, placed.place), prediction, isClear ? "kept" : "asked");
             step.prediction = prediction;
@@ -63,7 +66,7 @@ void confirm(SearchContext& search, Node& node) {
     for (std::size_t i = 0; i < node.steps.size() && !search.progress.stopRequested();) {
         const PlacedEffect& placed = node.null.variant.effects[i];
         std::optional<NullModel> rest;
-        if (node.steps[i].prediction) rest = without(search, node.null, i);
+        if (node.steps[i].prediction && !node.steps[i].prediction->besideFlow) rest = without(search, node.null, i);
         if (rest) seekFromTheStart(search, search.readings.searched, *rest);
         std::optional<Prediction> exact;
         if (rest) exact = predictByRefits(*rest, node.null, search.fit, search.progress);
@@ -86,12 +89,15 @@ void confirm(SearchContext& search, Node& node) {
     }
 }
 
-/// Adds what predicts best beside a node; false where nothing does clearly better than it.
+/// Adds what predicts best beside a node, or else, as the first effect of all, what is likeliest beside a flow that
+/// nobody measured; false where nothing does clearly better than it.
 bool addOne(SearchContext& search, Node& node) {
     Round round = tryAll(search, node.null);
     if (search.progress.stopRequested()) return false;
     std::optional<Node> next = firstThatHolds(search, node, contendersOf(search, node.null, round.trials), round,
                                               [](const Node&) { return true; });
+    const LikeliestBesideFlow& known = search.frontier.likeliest;
+    if (!next && node.steps.empty()) next = known.isSought ? known.node : withLikeliestBesideFlow(search, node, round);
     if (!next) return false;
     node = std::move(*next);
     return true;

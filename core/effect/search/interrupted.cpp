@@ -40,6 +40,7 @@ bool areLong(const EstimationTask& task) {
 /// What the search had no time to hold against the rest must be clear by itself, or predict clearly better as a whole.
 bool isClear(const Whole& whole) {
     const Node& node = whole.node;
+    if (whole.isBehindLikeliest) return false;
     return whole.predicts || isNoise(node.null) || std::all_of(node.steps.begin(), node.steps.end(), [](const Step& s) {
                return isMissed(s.acceptance) && isClearlyMissed(s.acceptance) && s.acceptance.heldOut > leastHeldOut;
            });
@@ -108,7 +109,8 @@ void Frontier::keepClear() {
 Whole* Frontier::toTell() {
     if (best.unweighed && isClear(*best.unweighed)) return &*best.unweighed;
     if (best.whole && isClear(*best.whole)) return &*best.whole;
-    return best.clear ? &*best.clear : nullptr;
+    if (best.clear && isClear(*best.clear)) return &*best.clear;
+    return best.likeliest ? &*best.likeliest : nullptr;
 }
 
 Outcome<ModelState> stateSoFar(const NullModel& null, const SimulationOptions& simulation) {

@@ -6,6 +6,7 @@
 #include "core/effect/judge/judgement.hpp"
 #include "core/effect/judge/reason.hpp"
 #include "core/effect/model/model_state.hpp"
+#include "core/effect/search/beside_flow.hpp"
 #include "core/effect/search/contenders.hpp"
 #include "core/effect/search/context.hpp"
 #include "core/effect/search/exchange.hpp"
@@ -75,6 +76,21 @@ std::optional<ModelState> errorsOnAll(const SearchContext& search, const NullMod
     return std::move(*state);
 }
 
+/// Whether a node leaves structure and predicts no better than what was found to do so beside the model as given.
+bool isBehindLikeliest(const SearchContext& search, const Node& node) {
+    const std::optional<Whole>& likeliest = search.frontier.best.likeliest;
+    return likeliest && !isNoise(node.null) && !predictsBetter(search, node, likeliest->node);
+}
+
+/// A node to be reported, with its state.
+Whole wholeOf(const SearchContext& search, const Node& node, ModelState state, bool predicts) {
+    Whole whole{node, search.readings, predicts};
+    whole.node.state = std::move(state);
+    whole.errorsOnAll = errorsOnAll(search, node.null);
+    whole.isBehindLikeliest = isBehindLikeliest(search, node);
+    return whole;
+}
+
 /// Keeps the node as `best` where it is better than the best so far. Returns its error [%] of the fitted data; empty:
 /// stopped meanwhile.
 std::optional<double> keepBest(SearchContext& search, const Node& path, std::optional<Whole>& best) {
@@ -87,9 +103,7 @@ std::optional<double> keepBest(SearchContext& search, const Node& path, std::opt
     const bool predicts = frontier.origin && predictsClearlyBetter(search, path.null, *frontier.origin);
     search.frontier.best.unweighed.reset();
     if (&best == &search.frontier.best.whole) search.frontier.keepClear();
-    best = Whole{path, search.readings, predicts};
-    best->node.state = std::move(*after);
-    best->errorsOnAll = errorsOnAll(search, path.null);
+    best = wholeOf(search, path, std::move(*after), predicts);
     keepSoFar(search, path.candidates);
     return error;
 }
@@ -158,6 +172,27 @@ Node pathFrom(SearchContext& search, const NullModel& base, Round round, std::si
     Node path{base, {}};
     goOn(search, path, std::move(round));
     return path;
+}
+
+void seekLikeliest(SearchContext& search, const NullModel& base, const Round& first) {
+    Frontier& frontier = search.frontier;
+    const Node bare{base, {}};
+    Round round = first;
+    std::optional<Node> found =
+        firstThatHolds(search, bare, contendersOf(search, base, round.trials), round, [](const Node&) { return true; });
+    if (!found && !search.progress.stopRequested()) {
+        round = first;
+        found = withLikeliestBesideFlow(search, bare, round);
+        frontier.likeliest = {true, found};
+    }
+    if (!found || search.progress.stopRequested()) return;
+    Outcome<ModelState> state = stateOf(found->null.variant, found->null.fit, search.fit.simulation, search.progress);
+    if (!state || search.progress.stopRequested()) return;
+    frontier.best.likeliest = wholeOf(search, *found, std::move(*state), true);
+    frontier.best.likeliest->isBehindLikeliest = false;
+    for (std::optional<Whole>* other : {&frontier.best.whole, &frontier.best.clear, &frontier.best.unweighed})
+        if (*other) (*other)->isBehindLikeliest = isBehindLikeliest(search, (*other)->node);
+    keepSoFar(search, found->candidates);
 }
 
 Node bareOf(SearchContext& search, const NullModel& base, Round first, const Text& why) {

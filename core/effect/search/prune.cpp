@@ -210,8 +210,9 @@ bool dropUnmissed(SearchContext& search, const NullModel& last, Node& node) {
         if (node.steps[i].prediction) seekFromTheStart(search, search.readings.full, *rest);
         const Acceptance missed = examine(*rest, last.fit, static_cast<int>(last.variant.effects[i].freed.size()), 0);
         if (std::optional<Prediction>& indicated = node.steps[i].prediction) {
-            indicated = predict(*rest, last.fit);
-            if (!isClearlyBetter(*indicated))  // the first order may not reach as far as a whole recording asks for
+            indicated = predictAsChosen(*indicated, *rest, last, static_cast<int>(last.variant.effects[i].freed.size()),
+                                        search.fit.simulation, search.progress);
+            if (!isClearlyBetter(*indicated) && !indicated->besideFlow)  // the first order may not reach as far as a whole recording asks for
                 if (const auto exact = predictByRefits(*rest, last, search.fit, search.progress)) indicated = exact;
             if (isClearlyBetter(*indicated)) {
                 tellErrorWithout(search, node.steps[i], *rest);

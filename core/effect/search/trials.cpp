@@ -209,16 +209,22 @@ std::vector<Trial> tryThese(SearchContext& search, const NullModel& null, const 
     return trials;
 }
 
-Acceptance examine(const SearchContext& search, const NullModel& null, const Trial& trial, double threshold) {
-    if (!trial.isLean) return examine(null, trial.fit, trial.freed(), threshold);
+std::optional<FitResult> withSlopes(const SearchContext& search, const NullModel& null, const Trial& trial) {
+    if (!trial.isLean) return trial.fit;
     FitResult whole = trial.fit;
     const Outcome<PreparedTask> prepared = prepareAt(trial.variant, null.noise);
-    if (!prepared) return {};
+    if (!prepared) return std::nullopt;
     Linearisation at = linearise(prepared->problem, whole.values, true, whole.plans,
                                  limited(null, search.fit.simulation), search.progress);
-    if (!at.ok) return {};
+    if (!at.ok) return std::nullopt;
     whole.optimum = std::move(at);
-    return examine(null, whole, trial.freed(), threshold);
+    return whole;
+}
+
+Acceptance examine(const SearchContext& search, const NullModel& null, const Trial& trial, double threshold) {
+    if (!trial.isLean) return examine(null, trial.fit, trial.freed(), threshold);
+    const std::optional<FitResult> whole = withSlopes(search, null, trial);
+    return whole ? examine(null, *whole, trial.freed(), threshold) : Acceptance{};
 }
 
 void continueFit(Trial& trial, const std::function<void(Trial&)>& step) {

@@ -27,6 +27,9 @@ enum class TrialSize { Whole, Lean };
 std::vector<Trial> tryThese(SearchContext& search, const NullModel& null, const std::vector<const Screened*>& chosen,
                             int iterations, int starts, TrialSize size = TrialSize::Whole);
 
+/// The fit of a trial with its slopes: one that was kept lean is simulated once more. Nothing: it cannot be.
+std::optional<FitResult> withSlopes(const SearchContext& search, const NullModel& null, const Trial& trial);
+
 /// The tests that a trial must pass; one that was kept lean is simulated once more.
 Acceptance examine(const SearchContext& search, const NullModel& null, const Trial& trial, double threshold);
 

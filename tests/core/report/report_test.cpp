@@ -91,6 +91,10 @@ TEST(Reports, TellHowSureAnEffectIsAndWhatThatRestsOn) {
                 HasSubstr("from 2.65 % to 1.01 %, in 4 of 5 parts"));
     EXPECT_THAT(summaryWords(finding, "discover"), HasSubstr("indicated, not established"));
     EXPECT_THAT(reportHtml(finding, discoverContext), HasSubstr("in 4 of 5 parts"));
+    EXPECT_FALSE(effect["prediction"].contains("delta_bic_beside_flow"));
+    finding.effects.front().prediction->besideFlow = 212;
+    EXPECT_DOUBLE_EQ(effectOf(finding)["prediction"]["delta_bic_beside_flow"], -212);
+    EXPECT_THAT(confidenceWords(finding.effects.front()).english(), HasSubstr("a flow that nobody measured"));
 }
 
 TEST(ReportJson, WritesNullForWhatIsNotFinite) {

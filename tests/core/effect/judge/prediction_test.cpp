@@ -214,6 +214,21 @@ TEST(IsClearlyBetter, IsWhatTakesAFifthOffTheErrorOfMostRecordings) {
     EXPECT_TRUE(isClear(7, 4, 5));
 }
 
+TEST(IsClearlyBetter, IsWhatIsClearlyLikelierBesideAFlowAndPredictsBetterAtAll) {
+    const auto isClear = [](double evidence, double after) {
+        Prediction p;
+        p.errorPercentBefore = 10;
+        p.errorPercentAfter = after;
+        p.blocks = 5;
+        p.besideFlow = evidence;
+        return isClearlyBetter(p);
+    };
+    EXPECT_TRUE(isClear(40, 9));
+    EXPECT_FALSE(isClear(20, 9)) << "the flow alone may account for it";
+    EXPECT_FALSE(isClear(20, 1)) << "what it was chosen by is asked";
+    EXPECT_FALSE(isClear(40, 11)) << "what was left out is predicted worse";
+}
+
 TEST(IsClearlyBetter, TakesAThirdOffWhereOneRecordingIsAllThereIs) {
     const auto isClear = [](double after, int betterIn) {
         Prediction p;

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+
+#include "core/effect/judge/node.hpp"
+#include "core/effect/search/round.hpp"
+
+/// Effects that are likelier than a flow alone that nobody measured.
+namespace analogon {
+
+class SearchContext;
+
+/// A node with that trial of a round which, refitted, is likeliest beside a flow that nobody measured. Such a flow
+/// drives the parameters of a least-squares fit astray, and what explains most by it is then another effect than what
+/// is there; by likelihood, with the flow as part of the noise (`Disturbance`), the effects come into their order.
+/// Nothing where none is clearly likelier than the flow alone, or an equation without a name is by far. The round's
+/// choice is the node's new effect then.
+std::optional<Node> withLikeliestBesideFlow(SearchContext& search, const Node& node, Round& round);
+
+}  // namespace analogon
