@@ -25,15 +25,16 @@ namespace {
 constexpr std::size_t oneFlow = 1;  // beside which trials are ranked; the chosen one is asked beside all there are
 
 /// A trial, and the evidence for it beside a flow that nobody measured.
-struct Likely {
+struct LikelyTrial {
     std::size_t trial{};
     double evidence{};
 };
 
-bool isLikelierThan(const Likely& a, const Likely& b) { return a.evidence > b.evidence; }
+bool isLikelierThan(const LikelyTrial& a, const LikelyTrial& b) { return a.evidence > b.evidence; }
 
 /// Trials of which the evidence beside a flow is asked, the best first; flow and parameters follow to first order.
-std::vector<Likely> toFirstOrder(const SearchContext& search, const NullModel& null, const std::vector<Trial>& trials) {
+std::vector<LikelyTrial> toFirstOrder(const SearchContext& search, const NullModel& null,
+                                      const std::vector<Trial>& trials) {
     const double interval = samplingInterval(null.variant.task);
     const auto mayBe = [&](const Trial& t) {
         return t.ok && t.evidence > equivalenceMargin && !isAtBound(t) && !fightsAnother(null, t.fit) &&
@@ -47,7 +48,7 @@ std::vector<Likely> toFirstOrder(const SearchContext& search, const NullModel& n
     const Disturbance disturbance(null, search.fit.simulation, search.progress);
     const double alone = disturbance.likeliest(null.fit.optimum).misfit;
     const double rows = static_cast<double>(null.fit.optimum.residuals.size());
-    std::vector<Likely> likely;
+    std::vector<LikelyTrial> likely;
     for (std::size_t i = 0; i < trials.size() && !search.progress.stopRequested(); ++i)
         if (fits[i] && fits[i]->optimum.residuals.size() == null.fit.optimum.residuals.size())
             likely.push_back(
@@ -57,8 +58,8 @@ std::vector<Likely> toFirstOrder(const SearchContext& search, const NullModel& n
 }
 
 /// The first of them with flow and parameters where they are likeliest, the best first.
-std::vector<Likely> atTheirLikeliest(const SearchContext& search, const NullModel& null,
-                                     const std::vector<Trial>& trials, std::vector<Likely> likely) {
+std::vector<LikelyTrial> atTheirLikeliest(const SearchContext& search, const NullModel& null,
+                                          const std::vector<Trial>& trials, std::vector<LikelyTrial> likely) {
     likely.resize(std::min(likely.size(), mostTries));
     const Eigen::Index rows = null.fit.optimum.residuals.size();
     const BesideDisturbance alone = besideDisturbance(null, search.fit.simulation, search.progress, oneFlow);
@@ -69,7 +70,7 @@ std::vector<Likely> atTheirLikeliest(const SearchContext& search, const NullMode
         if (const auto with = fitNull(variant, null.noise, NoiseLevel::Keep, search.fit, search.progress))
             beside[i] = besideDisturbanceAlso(alone, *with, search.fit.simulation, search.progress, oneFlow);
     });
-    std::vector<Likely> best;
+    std::vector<LikelyTrial> best;
     for (std::size_t i = 0; i < likely.size(); ++i)
         if (beside[i])
             best.push_back({likely[i].trial, evidenceBeside(alone, *beside[i], rows, trials[likely[i].trial].freed())});
@@ -79,9 +80,9 @@ std::vector<Likely> atTheirLikeliest(const SearchContext& search, const NullMode
 
 /// The simplest of the names that are as likely as the likeliest, with these as its class. False where none is clear,
 /// or where an equation without a name is far likelier.
-bool choose(const SearchContext& search, const NullModel& null, const std::vector<Likely>& likely, Round& round) {
-    const auto named =
-        std::find_if(likely.begin(), likely.end(), [&](const Likely& l) { return !isProposal(round.trials[l.trial]); });
+bool choose(const SearchContext& search, const NullModel& null, const std::vector<LikelyTrial>& likely, Round& round) {
+    const auto named = std::find_if(likely.begin(), likely.end(),
+                                    [&](const LikelyTrial& l) { return !isProposal(round.trials[l.trial]); });
     if (named == likely.end() || !(named->evidence > clearEvidence) ||
         named->evidence < nearlyAsWell * likely.front().evidence)
         return false;
@@ -103,10 +104,10 @@ bool choose(const SearchContext& search, const NullModel& null, const std::vecto
 }  // namespace
 
 std::optional<Node> withLikeliestBesideFlow(SearchContext& search, const Node& node, Round& round) {
-    const std::vector<Likely> first = toFirstOrder(search, node.null, round.trials);
-    const std::vector<Likely> likely = atTheirLikeliest(search, node.null, round.trials, first);
+    const std::vector<LikelyTrial> first = toFirstOrder(search, node.null, round.trials);
+    const std::vector<LikelyTrial> likely = atTheirLikeliest(search, node.null, round.trials, first);
     if (search.progress.stopRequested()) return std::nullopt;
-    for (const Likely& l : likely) {
+    for (const LikelyTrial& l : likely) {
         const Candidate& c = round.candidate(l.trial);
         search.journal.add("beside disturbance", keyOf(c.effect, c.place), {{"delta_bic", -l.evidence}}, "ranked");
     }

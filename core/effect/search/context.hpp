@@ -73,6 +73,12 @@ struct Stays {
     std::vector<Stay> lawless{};  // where no law passed, with the sum of squares
 };
 
+/// What is likelier beside the model as given than a flow alone that nobody measured.
+struct LikeliestBesideFlow {
+    bool isSought{};
+    std::optional<Node> node{};  // none is
+};
+
 /// The best so far, of named effects.
 struct BestOfNamed {
     std::optional<Whole> whole{};      // what an interrupted search reports
@@ -80,12 +86,7 @@ struct BestOfNamed {
     std::optional<Whole> unweighed{};  // better by what a round chose and has not weighed against the rest
     std::optional<Whole> likeliest{};  // what predicts best beside the model as given, or is likeliest beside a flow;
                                        // told where none of these is clear, or predicts better
-};
-
-/// What is likelier beside the model as given than a flow alone that nobody measured.
-struct LikeliestBesideFlow {
-    bool isSought{};
-    std::optional<Node> node{};  // none is
+    LikeliestBesideFlow besideFlow{};
 };
 
 /// The nodes that were reached.
@@ -95,7 +96,6 @@ struct Frontier {
     std::optional<NullModel> origin{};  // of the path: without effects
     std::optional<Node> opening{};      // where the first choice of all led
     BestOfNamed best{};
-    LikeliestBesideFlow likeliest{};
     std::vector<CandidateResult> noted{};  // of the path that was walked on last
     std::optional<Finding> begun{};        // the model as given: from there on there is something to report
     bool isIndicating{};                   // the last pass: also what only stands in for another name is tried

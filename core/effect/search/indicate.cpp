@@ -96,7 +96,7 @@ bool addOne(SearchContext& search, Node& node) {
     if (search.progress.stopRequested()) return false;
     std::optional<Node> next = firstThatHolds(search, node, contendersOf(search, node.null, round.trials), round,
                                               [](const Node&) { return true; });
-    const LikeliestBesideFlow& known = search.frontier.likeliest;
+    const LikeliestBesideFlow& known = search.frontier.best.besideFlow;
     if (!next && node.steps.empty()) next = known.isSought ? known.node : withLikeliestBesideFlow(search, node, round);
     if (!next) return false;
     node = std::move(*next);

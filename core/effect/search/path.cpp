@@ -183,7 +183,7 @@ void seekLikeliest(SearchContext& search, const NullModel& base, const Round& fi
     if (!found && !search.progress.stopRequested()) {
         round = first;
         found = withLikeliestBesideFlow(search, bare, round);
-        frontier.likeliest = {true, found};
+        frontier.best.besideFlow = {true, found};
     }
     if (!found || search.progress.stopRequested()) return;
     Outcome<ModelState> state = stateOf(found->null.variant, found->null.fit, search.fit.simulation, search.progress);

@@ -212,7 +212,8 @@ bool dropUnmissed(SearchContext& search, const NullModel& last, Node& node) {
         if (std::optional<Prediction>& indicated = node.steps[i].prediction) {
             indicated = predictAsChosen(*indicated, *rest, last, static_cast<int>(last.variant.effects[i].freed.size()),
                                         search.fit.simulation, search.progress);
-            if (!isClearlyBetter(*indicated) && !indicated->besideFlow)  // the first order may not reach as far as a whole recording asks for
+            // the first order may not reach as far as a whole recording asks for
+            if (!isClearlyBetter(*indicated) && !indicated->besideFlow)
                 if (const auto exact = predictByRefits(*rest, last, search.fit, search.progress)) indicated = exact;
             if (isClearlyBetter(*indicated)) {
                 tellErrorWithout(search, node.steps[i], *rest);

@@ -71,8 +71,8 @@ TEST(LikeliestBesideFlow, IsSoughtOnceAndToldByASearchThatIsInterrupted) {
     WarmSearch of(laggingBodyBesideAFlow(0.6, 1, 3));
     Frontier& frontier = of.search.frontier;
     seekLikeliest(of.search, of.base, tryAll(of.search, of.base));
-    EXPECT_TRUE(frontier.likeliest.isSought);
-    ASSERT_TRUE(frontier.likeliest.node);
+    EXPECT_TRUE(frontier.best.besideFlow.isSought);
+    ASSERT_TRUE(frontier.best.besideFlow.node);
     ASSERT_NE(frontier.toTell(), nullptr);
     EXPECT_EQ(kindsOf(frontier.toTell()->node), "sensor.lag");
 
