@@ -117,6 +117,8 @@ Node grownFrom(SearchContext& search, Node node) {
         const bool isLarger = next.steps.size() == count;
         grown = std::move(next);
         if (!isLarger) break;  // what came in put another out: it would come back
+        // beside a flow that hides the first effect, what predicts better may make up for the flow
+        if (grown.steps.back().prediction && grown.steps.back().prediction->besideFlow) break;
     }
     return grown;
 }
