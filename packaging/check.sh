@@ -101,7 +101,7 @@ bench() {
     python3 tests/bench/score.py build/bench/results build/bench/cases --floor tests/bench/score.txt
 }
 
-# Fits of all units, searches of a tenth of them; on Slurm where it is installed and this is root.
+# Fits and searches of all units; on Slurm where it is installed and this is root.
 campaign() {
     local units=${1:-1000} run=(python3 tests/bench/thousand_units.py build/release/app/analogon-cli)
     install_missing "${build_packages[@]}"
@@ -111,8 +111,8 @@ campaign() {
     mkdir -p build/campaign
     say "A campaign of $units units, killed ten times"
     "${run[@]}" build/campaign/fits --units "$units"
-    say "Searches of $((units / 10)) units, killed ten times"
-    "${run[@]}" build/campaign/searches --units "$((units / 10))" --command discover
+    say "Searches of $units units, killed ten times"
+    "${run[@]}" build/campaign/searches --units "$units" --alone "$((units / 16))" --command discover
     say "The same on Slurm"
     MAX_ARRAY=201 tests/slurm/start.sh "${run[@]}" build/campaign/cluster --units "$units" --slurm || [ $? -eq 77 ]
     say "Tests of the command line and of the window with that Slurm"
