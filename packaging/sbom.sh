@@ -21,8 +21,9 @@ shared() {
 # The licences that a package's machine-readable copyright file names.
 licence_of() {
     local names
-    names=$(sed -n 's/^License: *\([^ ].*\)$/\1/p' "/usr/share/doc/$1/copyright" 2>/dev/null | sort -u | paste -sd ';' -)
-    printf '%s' "${names:-NOASSERTION}" | tr -d '"\\'
+    names=$(sed -n 's/^License:[[:space:]]*\([^[:space:]].*\)$/\1/p' "/usr/share/doc/$1/copyright" 2>/dev/null |
+        sort -u | paste -sd ';' -)
+    printf '%s' "${names:-NOASSERTION}" | tr '\t' ' ' | tr -d '"\\[:cntrl:]'
 }
 digest=$(sha256sum "$@" | sha256sum | cut -c1-32)
 
