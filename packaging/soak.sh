@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # The long runs that are too long for every change: random events on the window with a watch on every memory access,
-# random editing undone and redone, kills while studies, results, archives and directories are written, two programs on
-# one place, a disk that runs full at every write, interrupts at random moments, and files that are nearly sound under
-# the address and undefined-behaviour sanitizers. As many at once as there are cores; about two hours on two.
+# random editing undone and redone, kills while studies, results, archives, directories and campaigns are written, a
+# cluster that is killed under its campaigns, two programs on one place, a disk that runs full at every write, interrupts
+# at random moments, and files that are nearly sound under the address and undefined-behaviour sanitizers. As many at once
+# as there are cores; about two hours on two.
 #   packaging/soak.sh [SEEDS] [EVENTS] [SEQUENCES] [KILLS] [INTERRUPTS] [MUTANTS]     (20 50000 2000 3000 200 10000)
 #   packaging/soak.sh --quick                                                         (1 500 20 20 20 300)
 # Writes build/soak/summary.log and one log for each run; fails where one of them fails or did not run its tests.
@@ -15,7 +16,7 @@ seeds=${1:-20} events=${2:-50000} sequences=${3:-2000} kills=${4:-3000} interrup
 install_missing "${build_packages[@]}"
 say "Building with the sanitizers in build/asan, and plainly in build/release"
 cmake --preset asan -DCMAKE_UNITY_BUILD=ON
-cmake --build --preset asan --target test_ui test_study test_archive test_measure
+cmake --build --preset asan --target test_ui test_study test_archive test_measure test_campaign
 cmake --preset release -DCMAKE_UNITY_BUILD=ON
 cmake --build --preset release --target test_ui test_archive test_study test_base test_app test_export
 
@@ -28,11 +29,13 @@ mkdir -p "$logs"
 : >"$logs/summary.log"
 started=0
 
-# run NAME TEST FILTER [VARIABLE=VALUE…]: a run that chose no test, or left one out, counts as failed.
+# run NAME PROGRAM FILTER [VARIABLE=VALUE…]: a run that chose no test, or left one out, counts as failed. PROGRAM may be
+# words: what starts the tests, then they.
 run() {
     local name=$1 program=$2 filter=$3 status=0 begin=$SECONDS
     shift 3
-    env "$@" "$program" --gtest_filter="$filter" >"$logs/$name.log" 2>&1 || status=$?
+    # shellcheck disable=SC2086  # words
+    env "$@" $program --gtest_filter="$filter" >"$logs/$name.log" 2>&1 || status=$?
     if [ "$status" -eq 0 ]; then
         grep -q '^\[  PASSED  \] [1-9]' "$logs/$name.log" || status='0, but no test was run'
         ! grep -q '^\[  SKIPPED \]' "$logs/$name.log" || status='0, but a test was left out'
@@ -80,6 +83,7 @@ nearly=(
     "mutants-sheets test_measure RecordingMutants.OfSheetsEndInValuesOrInMessages"
     "mutants-archive test_archive Mutants.OfArchivesEndInAStudyOrInMessages"
     "mutants-archived test_archive Mutants.InArchivesEndInAStudyOrInMessages"
+    "mutants-campaign test_campaign CampaignMutants.EndInATableOrInMessages"
 )
 
 say "Random events: $seeds times $events; random editing: $sequences sequences; kills while writing: $kills of each
@@ -100,6 +104,13 @@ if [ "$(id -u)" -eq 0 ]; then
     done
 else
     say "A disk that runs full is left out: root alone can make a small one"
+fi
+# Campaigns on a Slurm of its own, whose nodes and controller are killed while they run.
+if [ "$(id -u)" -eq 0 ] && PATH=$PATH:/usr/sbin command -v slurmctld >/dev/null; then
+    start kills-cluster "tests/slurm/start.sh build/release/tests/test_app" 'CampaignOnSlurm.*' \
+        GTEST_REPEAT=$(((kills + 299) / 300))
+else
+    say "Campaigns on a cluster are left out: they need root, slurm-wlm and munge"
 fi
 start editing build/release/tests/test_ui 'RandomEditing.*' ANALOGON_SEQUENCES="$sequences"
 for seed in $(seq 1 "$seeds"); do
