@@ -7524,6 +7524,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Ein solcher Wert überwiegt in einer Anpassung alle anderen: die Zelle einer Ausgangsgröße leeren oder den Wert berichtigen.</translation>
     </message>
     <message>
+        <source>this line has {} columns, more than {}</source>
+        <translation>diese Zeile hat {} Spalten, mehr als {}</translation>
+    </message>
+    <message>
         <source>the header has {} columns, more than {}</source>
         <translation>die Kopfzeile hat {} Spalten, mehr als {}</translation>
     </message>

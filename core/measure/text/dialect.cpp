@@ -6,6 +6,7 @@
 #include <array>
 #include <set>
 
+#include "core/base/limits.hpp"
 #include "core/base/stop.hpp"
 #include "core/measure/cited.hpp"
 #include "core/measure/encoding.hpp"
@@ -66,6 +67,12 @@ SampleRow sampleRowOf(const TextLine& line, char separator) {
         if (!row.cells[i].text.empty()) row.filled = i + 1;
     }
     return row;
+}
+
+Diagnostics tooWide(const SampleRow& row, const std::string& file) {
+    if (row.cells.size() <= limits::columns) return {};
+    return {fileError(phrase("this line has {} columns, more than {}", row.cells.size(), limits::columns), file,
+                      row.line.number, 0, phrase("Export fewer channels, or check the mark between the columns."))};
 }
 
 std::size_t widest(const SampledRows& sample) {

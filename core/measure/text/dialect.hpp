@@ -32,6 +32,9 @@ struct SampleRow {
 
 SampleRow sampleRowOf(const TextLine& line, char separator);
 
+/// A fault where a row has more cells than are read: to be asked before each of them is examined.
+Diagnostics tooWide(const SampleRow& row, const std::string& file);
+
 /// A number, a quantity or a stamp.
 bool isValue(CellKind kind);
 

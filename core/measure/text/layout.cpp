@@ -74,6 +74,8 @@ private:
         rows_ = sampledRows(head);
         const bool isShort = rows_.isKeyed || (rows_.end - rows_.begin < enough && rows_.end < rows_.rows.size());
         if (!head.isWhole && (rows_.score <= 0 || isShort)) rows_ = sampledRows(headOf(text_, options_, many));
+        for (const SampleRow& row : rows_.rows)
+            if (Diagnostics faults = tooWide(row, file_); !faults.empty()) return faults;
         if (rows_.otherBegin > 0 && !options_.header) {
             askWhichTable();
             return {
@@ -116,10 +118,7 @@ private:
         if (names.openQuote)
             return {fileError(phrase("a quotation mark is opened and not closed on its line"), file_, names.line.number,
                               names.openQuote, phrase("Close it, or double it where the mark itself is meant."))};
-        if (names.cells.size() > limits::columns)
-            return {fileError(phrase("the header has {} columns, more than {}", names.cells.size(), limits::columns),
-                              file_, names.line.number, 0,
-                              phrase("Export fewer channels, or check the mark between the columns."))};
+        if (Diagnostics faults = tooWide(names, file_); !faults.empty()) return faults;
         for (const CsvCell& cell : names.cells)
             if (cell.text.size() > limits::columnName)
                 return {fileError(phrase("a column has a name of {} bytes, more than {}: '{}'", cell.text.size(),
