@@ -4,11 +4,11 @@
 
 namespace analogon {
 
-Outcome<Done> checkJsonLimits(const Source& json) {
+Outcome<Done> checkJsonLimits(const Source& json, const JsonSize& most) {
     const std::string& text = json.text();
-    if (text.size() > limits::jsonBytes)
+    if (text.size() > most.bytes)
         return fileError(phrase("the file has {:.3g} MB, more than the {} MB that are read",
-                                static_cast<double>(text.size()) / 1048576.0, limits::jsonBytes >> 20),
+                                static_cast<double>(text.size()) / 1048576.0, most.bytes >> 20),
                          json.name(), 0, 0, phrase("Measured values belong into files of their own."));
     std::vector<std::size_t> paths;  // bytes of the names that lead into each object or list that is open
     std::size_t values = 0, allPaths = 0, name = 0;
@@ -31,9 +31,9 @@ Outcome<Done> checkJsonLimits(const Source& json) {
         }
         if (c != '[' && c != '{' && c != ',') continue;
         allPaths += paths.empty() ? 0 : paths.back();
-        if (++values > limits::jsonValues || allPaths > limits::jsonPaths)
-            return error(values > limits::jsonValues ? phrase("the file has more than {} values", limits::jsonValues)
-                                                     : phrase("the names in this file are too long and too many"),
+        if (++values > most.values || allPaths > limits::jsonPaths)
+            return error(values > most.values ? phrase("the file has more than {} values", most.values)
+                                              : phrase("the names in this file are too long and too many"),
                          here, phrase("Measured values belong into files of their own."));
     }
     return Done{};

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/file_fault.hpp"
+#include "core/base/json_limits.hpp"
 #include "core/base/regular_file.hpp"
 
 namespace analogon {
@@ -11,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t largestState = 256u << 20;  // [byte]
+constexpr JsonSize largestState{std::size_t{256} << 20, 10'000'000};
 
 std::optional<UnitState> stateNamed(const std::string& name) {
     for (const UnitState state : {UnitState::Waiting, UnitState::Running, UnitState::Done, UnitState::Failed})
@@ -42,8 +43,9 @@ Diagnostics unreadable(const fs::path& file) {
 /// The state that is written in a directory.
 Outcome<nlohmann::json> stateIn(const fs::path& out) {
     const fs::path file = out / "campaign.json";
-    const Outcome<std::string> text = readRegularFile(file, largestState);
+    const Outcome<std::string> text = readRegularFile(file, largestState.bytes);
     if (!text) return text.diagnostics();
+    if (!checkJsonLimits(Source(file.string(), *text), largestState)) return unreadable(file);
     nlohmann::json json = nlohmann::json::parse(*text, nullptr, false);
     const auto units = json.is_object() ? json.find("units") : json.end();
     if (!json.is_object() || units == json.end() || !units->is_object()) return unreadable(file);

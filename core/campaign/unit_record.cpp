@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/file_step.hpp"
+#include "core/base/json_limits.hpp"
 #include "core/base/regular_file.hpp"
 
 namespace analogon {
@@ -81,6 +82,7 @@ std::string unitJson(const UnitRecord& record) {
 }
 
 std::optional<UnitRecord> parseUnitJson(const std::string& text) {
+    if (!checkJsonLimits(Source("unit.json", text))) return std::nullopt;
     try {
         const Json json = Json::parse(text);
         if (json.at("format") != recordFormat) return std::nullopt;

@@ -18,6 +18,7 @@ constexpr std::uint64_t largestJob = 1u << 16;  // [byte]
 
 std::vector<std::vector<PlannedUnit>> readUnits(const std::filesystem::path& file) {
     std::vector<std::vector<PlannedUnit>> tasks;
+    if (!checkRegularFile(file)) return tasks;
     std::ifstream stream(file, std::ios::binary);
     for (std::string line; std::getline(stream, line);) {
         std::istringstream words(line);
