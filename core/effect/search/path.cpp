@@ -79,7 +79,10 @@ std::optional<ModelState> errorsOnAll(const SearchContext& search, const NullMod
 /// Whether a node leaves structure and predicts no better than what was found to do so beside the model as given.
 bool isBehindLikeliest(const SearchContext& search, const Node& node) {
     const std::optional<Whole>& likeliest = search.frontier.best.likeliest;
-    return likeliest && !isNoise(node.null) && !predictsBetter(search, node, likeliest->node);
+    if (!likeliest || isNoise(node.null)) return false;
+    // of recordings that were read in another way they are not compared
+    const Linearisation &there = likeliest->node.null.fit.optimum, &here = node.null.fit.optimum;
+    return there.residuals.size() == here.residuals.size() && !predictsBetter(search, node, likeliest->node);
 }
 
 /// A node to be reported, with its state.
@@ -178,6 +181,8 @@ void seekLikeliest(SearchContext& search, const NullModel& base, const Round& fi
     Frontier& frontier = search.frontier;
     const Node bare{base, {}};
     Round round = first;
+    frontier.best.besideFlow = {};  // of recordings that may have been read in another way
+    frontier.best.likeliest.reset();
     std::optional<Node> found =
         firstThatHolds(search, bare, contendersOf(search, base, round.trials), round, [](const Node&) { return true; });
     if (!found && !search.progress.stopRequested()) {
