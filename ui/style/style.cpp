@@ -90,10 +90,10 @@ QPalette darkPalette() {
     return p;
 }
 
-/// Fusion without its gradients: flat bars, tabs and headers, rows with air between them, and check marks that can be
-/// seen on a dark ground.
 constexpr int smallWindow = 1100;  // [px] wide
 
+/// Fusion without its gradients: flat bars, tabs and headers, rows with air between them, and check marks that can be
+/// seen on a dark ground.
 class Flat : public QProxyStyle {
 public:
     Flat() : QProxyStyle(QStyleFactory::create("Fusion")) {}

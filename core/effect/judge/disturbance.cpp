@@ -9,6 +9,7 @@
 #include "core/base/stop.hpp"
 #include "core/effect/block/screen.hpp"
 #include "core/effect/model/score.hpp"
+#include "core/effect/model/taken_values.hpp"
 #include "core/effect/thresholds.hpp"
 #include "core/fit/coordinates.hpp"
 
@@ -424,9 +425,7 @@ BesideDisturbance besideDisturbanceAlso(const BesideDisturbance& alone, const Nu
                                         std::size_t most) {
     const BesideDisturbance here = besideDisturbance(with, simulation, progress, most);
     NullModel there = with;
-    for (ParameterValue& own : there.variant.values)
-        for (const ParameterValue& other : alone.values)
-            if (other.name == own.name && other.experiment == own.experiment) own.value = other.value;
+    takeValues(there.variant.values, alone.values);
     const Outcome<PreparedTask> prepared = prepareAt(there.variant, there.noise);
     if (!prepared) return here;
     there.fit.optimum =

@@ -186,7 +186,6 @@ void seekLikeliest(SearchContext& search, const NullModel& base, const Round& fi
     std::optional<Node> found =
         firstThatHolds(search, bare, contendersOf(search, base, round.trials), round, [](const Node&) { return true; });
     if (!found && !search.progress.stopRequested()) {
-        round = first;
         found = withLikeliestBesideFlow(search, bare, round);
         frontier.best.besideFlow = {true, found};
     }

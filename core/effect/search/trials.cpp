@@ -9,6 +9,7 @@
 #include "core/base/parallel.hpp"
 #include "core/effect/block/screen_together.hpp"
 #include "core/effect/judge/judgement.hpp"
+#include "core/effect/model/taken_values.hpp"
 #include "core/effect/search/context.hpp"
 #include "core/effect/search/probe_twin.hpp"
 #include "core/effect/thresholds.hpp"
@@ -89,9 +90,7 @@ void retryFrom(SearchContext& search, const NullModel& null, const std::vector<P
     for (const std::size_t i : chosen) {
         Screened screened = trials[i].screened;
         screened.begin = screened.begin.value_or(null.variant.values);
-        for (ParameterValue& own : *screened.begin)
-            for (const ParameterValue& found : values)
-                if (found.name == own.name && found.experiment == own.experiment) own.value = found.value;
+        takeValues(*screened.begin, values);
         begun.push_back(std::move(screened));
     }
     std::vector<const Screened*> all;
