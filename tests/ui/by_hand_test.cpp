@@ -27,6 +27,7 @@
 #include "core/study/recorded.hpp"
 #include "core/study/sensitivity.hpp"
 #include "tests/core/measure/mdf/mdf4_writer.hpp"
+#include "tests/ui/by_mouse.hpp"
 #include "tests/ui/panels_fixture.hpp"
 #include "ui/canvas/diagram_scene.hpp"
 #include "ui/canvas/diagram_view.hpp"
@@ -167,10 +168,7 @@ protected:
     }
     void showText() {
         auto* text = panel<TextView>();
-        for (QTabWidget* tabs : window.findChildren<QTabWidget*>())
-            if (const int tab = tabs->indexOf(text); tab >= 0)
-                QTest::mouseClick(tabs->tabBar(), Qt::LeftButton, {}, tabs->tabBar()->tabRect(tab).center());
-        QTest::qWait(20);
+        test::clickTabOf(window, text);
         ASSERT_TRUE(text->isVisible());
     }
     void newStudy() {
@@ -188,15 +186,7 @@ protected:
         QTest::mouseRelease(view, Qt::LeftButton, {}, to);
     }
     void place(const char* className, Point to) const {
-        auto* tree = panel<LibraryPanel>()->tree();
-        const QRect row = panel<LibraryPanel>()->showClass(className);
-        ASSERT_FALSE(row.isEmpty()) << className;
-        QWidget* from = tree->viewport();
-        const QPoint end = from->mapFromGlobal(panel<DiagramView>()->viewport()->mapToGlobal(pixel(to)));
-        QTest::mousePress(from, Qt::LeftButton, {}, row.center());
-        QTest::mouseMove(from, row.center() + QPoint(30, 10));
-        QTest::mouseMove(from, end);
-        QTest::mouseRelease(from, Qt::LeftButton, {}, end);
+        test::dragFromLibrary(*panel<LibraryPanel>(), *panel<DiagramView>(), className, pixel(to));
     }
     void wire(const char* from, const char* to) {
         const auto a = document().diagram().anchor(from), b = document().diagram().anchor(to);

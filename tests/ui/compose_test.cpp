@@ -27,6 +27,7 @@
 
 #include "core/archive/archive.hpp"
 #include "core/syntax/parser.hpp"
+#include "tests/ui/by_mouse.hpp"
 #include "ui/canvas/block_item.hpp"
 #include "ui/canvas/diagram_scene.hpp"
 #include "ui/canvas/diagram_view.hpp"
@@ -84,16 +85,7 @@ protected:
     QPoint pixel(Point at) const { return panel<DiagramView>()->mapFromScene(QPointF(at.x, -at.y)); }
     /// Drags a block from the library to a point of the diagram.
     void drag(const char* className, Point to) {
-        auto* tree = panel<LibraryPanel>()->tree();
-        const QRect row = panel<LibraryPanel>()->showClass(className);
-        ASSERT_FALSE(row.isEmpty()) << className;
-        QWidget* from = tree->viewport();
-        QWidget* view = panel<DiagramView>()->viewport();
-        const QPoint end = from->mapFromGlobal(view->mapToGlobal(pixel(to)));
-        QTest::mousePress(from, Qt::LeftButton, {}, row.center());
-        QTest::mouseMove(from, row.center() + QPoint(30, 10));
-        QTest::mouseMove(from, end);
-        QTest::mouseRelease(from, Qt::LeftButton, {}, end);
+        test::dragFromLibrary(*panel<LibraryPanel>(), *panel<DiagramView>(), className, pixel(to));
     }
     void wire(const char* from, const char* to) {
         const auto a = document().diagram().anchor(from), b = document().diagram().anchor(to);

@@ -9,6 +9,7 @@
 #include <QTreeView>
 #include <QTreeWidget>
 
+#include "tests/ui/by_mouse.hpp"
 #include "tests/ui/panels_fixture.hpp"
 #include "tests/ui/sample_finding.hpp"
 #include "ui/effect/result_panel.hpp"
@@ -43,13 +44,7 @@ TEST(SearchWords, FindWhatEngineersCallTheSame) {
 /// All that a user looks for, in the library and in the palette of the keyboard.
 class Find : public Panels {
 protected:
-    void showText() {
-        auto* text = panel<TextView>();
-        for (QTabWidget* tabs : window.findChildren<QTabWidget*>())
-            if (const int tab = tabs->indexOf(text); tab >= 0)
-                QTest::mouseClick(tabs->tabBar(), Qt::LeftButton, {}, tabs->tabBar()->tabRect(tab).center());
-        QTest::qWait(20);
-    }
+    void showText() { test::clickTabOf(window, panel<TextView>()); }
     /// The blocks that are left in the tree.
     QStringList left(const QModelIndex& parent = {}) const {
         const QAbstractItemModel* model = panel<LibraryPanel>()->tree()->model();
