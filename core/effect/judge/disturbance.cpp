@@ -424,6 +424,7 @@ BesideDisturbance besideDisturbanceAlso(const BesideDisturbance& alone, const Nu
                                         const SimulationOptions& simulation, const Progress& progress,
                                         std::size_t most) {
     const BesideDisturbance here = besideDisturbance(with, simulation, progress, most);
+    if (here.misfit < alone.misfit) return here;
     NullModel there = with;
     takeValues(there.variant.values, alone.values);
     const Outcome<PreparedTask> prepared = prepareAt(there.variant, there.noise);

@@ -118,8 +118,9 @@ struct BesideDisturbance {
 BesideDisturbance besideDisturbance(const NullModel& model, const SimulationOptions& simulation,
                                     const Progress& progress, std::size_t most = mostDisturbances);
 
-/// The same of a model with an effect, from where least squares came to and, since the flow may have led that astray,
-/// also from where the model without it is likeliest (`alone`): the better of both.
+/// The same of a model with an effect, from where least squares came to. The flow may have led that astray: an effect
+/// that is nothing is as likely as the model without it, so where a descent ends above that (`alone`), another begins
+/// where that is likeliest.
 BesideDisturbance besideDisturbanceAlso(const BesideDisturbance& alone, const NullModel& with,
                                         const SimulationOptions& simulation, const Progress& progress,
                                         std::size_t most = mostDisturbances);

@@ -57,25 +57,56 @@ std::vector<LikelyTrial> toFirstOrder(const SearchContext& search, const NullMod
     return likely;
 }
 
-/// The first of them with flow and parameters where they are likeliest, the best first.
+/// Trials with flow and parameters where they are likeliest.
+class AtTheirLikeliest {
+public:
+    AtTheirLikeliest(const SearchContext& search, const NullModel& null, const std::vector<Trial>& trials)
+        : search_(search),
+          null_(null),
+          trials_(trials),
+          alone_(besideDisturbance(null, search.fit.simulation, search.progress, oneFlow)) {}
+
+    /// Of some more trials; those that cannot be fitted are left out.
+    void add(const std::vector<LikelyTrial>& likely) {
+        std::vector<std::optional<BesideDisturbance>> beside(likely.size());
+        parallelFor(static_cast<int>(likely.size()), search_.options.threads, [&](int k) {
+            const auto i = static_cast<std::size_t>(k);
+            const Variant& variant = trials_[likely[i].trial].variant;
+            if (const auto with = fitNull(variant, null_.noise, NoiseLevel::Keep, search_.fit, search_.progress))
+                beside[i] = besideDisturbanceAlso(alone_, *with, search_.fit.simulation, search_.progress, oneFlow);
+        });
+        const Eigen::Index rows = null_.fit.optimum.residuals.size();
+        for (std::size_t i = 0; i < likely.size(); ++i)
+            if (const std::size_t trial = likely[i].trial; beside[i])
+                best.push_back({trial, evidenceBeside(alone_, *beside[i], rows, trials_[trial].freed())});
+        std::stable_sort(best.begin(), best.end(), isLikelierThan);
+    }
+
+    std::vector<LikelyTrial> best{};  // first
+
+private:
+    const SearchContext& search_;
+    const NullModel& null_;
+    const std::vector<Trial>& trials_;
+    const BesideDisturbance alone_;
+};
+
+/// The first of them with flow and parameters where they are likeliest, the best first. What parameters that follow to
+/// first order promise is more than what is left of it there: what promises no clear evidence, or less than another
+/// has, is not asked.
 std::vector<LikelyTrial> atTheirLikeliest(const SearchContext& search, const NullModel& null,
                                           const std::vector<Trial>& trials, std::vector<LikelyTrial> likely) {
     likely.resize(std::min(likely.size(), mostTries));
-    const Eigen::Index rows = null.fit.optimum.residuals.size();
-    const BesideDisturbance alone = besideDisturbance(null, search.fit.simulation, search.progress, oneFlow);
-    std::vector<std::optional<BesideDisturbance>> beside(likely.size());
-    parallelFor(static_cast<int>(likely.size()), search.options.threads, [&](int k) {
-        const auto i = static_cast<std::size_t>(k);
-        const Variant& variant = trials[likely[i].trial].variant;
-        if (const auto with = fitNull(variant, null.noise, NoiseLevel::Keep, search.fit, search.progress))
-            beside[i] = besideDisturbanceAlso(alone, *with, search.fit.simulation, search.progress, oneFlow);
-    });
-    std::vector<LikelyTrial> best;
-    for (std::size_t i = 0; i < likely.size(); ++i)
-        if (beside[i])
-            best.push_back({likely[i].trial, evidenceBeside(alone, *beside[i], rows, trials[likely[i].trial].freed())});
-    std::stable_sort(best.begin(), best.end(), isLikelierThan);
-    return best;
+    std::erase_if(likely, [](const LikelyTrial& l) { return !(l.evidence > clearEvidence); });
+    if (likely.empty()) return {};
+    AtTheirLikeliest at(search, null, trials);
+    at.add({likely.front()});
+    likely.erase(likely.begin());
+    if (!at.best.empty())
+        std::erase_if(likely,
+                      [&](const LikelyTrial& l) { return l.evidence < at.best.front().evidence - equivalenceMargin; });
+    at.add(likely);
+    return std::move(at.best);
 }
 
 /// The simplest of the names that are as likely as the likeliest, with these as its class. False where none is clear,
@@ -103,20 +134,21 @@ bool choose(const SearchContext& search, const NullModel& null, const std::vecto
 
 }  // namespace
 
-std::optional<Node> withLikeliestBesideFlow(SearchContext& search, const Node& node, Round& round) {
+LikeliestBesideFlow withLikeliestBesideFlow(SearchContext& search, const Node& node, Round& round) {
     const std::vector<LikelyTrial> first = toFirstOrder(search, node.null, round.trials);
     const std::vector<LikelyTrial> likely = atTheirLikeliest(search, node.null, round.trials, first);
-    if (search.progress.stopRequested()) return std::nullopt;
+    if (search.progress.stopRequested()) return {};
     for (const LikelyTrial& l : likely) {
         const Candidate& c = round.candidate(l.trial);
         search.journal.add("beside disturbance", keyOf(c.effect, c.place), {{"delta_bic", -l.evidence}}, "ranked");
     }
-    if (!choose(search, node.null, likely, round)) return std::nullopt;
+    LikeliestBesideFlow found{{}, !likely.empty() && likely.front().evidence > clearEvidence};
+    if (!choose(search, node.null, likely, round)) return found;
     Prediction chosen;
     chosen.besideFlow = likely.front().evidence;
-    std::optional<Node> next = withChoice(search, node, round, chosen);
-    if (next) noteAll(search, *next, round);
-    return next;
+    found.node = withChoice(search, node, round, chosen);
+    if (found.node) noteAll(search, *found.node, round);
+    return found;
 }
 
 }  // namespace analogon

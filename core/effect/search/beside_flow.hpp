@@ -10,11 +10,15 @@ namespace analogon {
 
 class SearchContext;
 
+struct LikeliestBesideFlow {
+    std::optional<Node> node{};  // none is clearly likelier than the flow alone, or an equation without a name is by far
+    bool isAnyClear{};           // of the trials, names and equations
+};
+
 /// A node with that trial of a round which, refitted, is likeliest beside a flow that nobody measured. Such a flow
 /// drives the parameters of a least-squares fit astray, and what explains most by it is then another effect than what
 /// is there; by likelihood, with the flow as part of the noise (`Disturbance`), the effects come into their order.
-/// Nothing where none is clearly likelier than the flow alone, or an equation without a name is by far. The round's
-/// choice is the node's new effect then.
-std::optional<Node> withLikeliestBesideFlow(SearchContext& search, const Node& node, Round& round);
+/// The round's choice is the node's new effect then.
+LikeliestBesideFlow withLikeliestBesideFlow(SearchContext& search, const Node& node, Round& round);
 
 }  // namespace analogon

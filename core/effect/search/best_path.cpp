@@ -156,6 +156,48 @@ bool isExplained(const Node& path, std::size_t most) {
     return isNoise(path.null) && !hasProposal(path.null) && path.null.variant.effects.size() <= most;
 }
 
+namespace {
+
+/// How a first path has ended.
+struct FirstEnd {
+    bool isAtItsEnd{};  // an effect has a shape at its bound: surroundings as hot as they may be are those of others
+    bool isOdd{};       // or lacks a part
+};
+
+FirstEnd firstEndOf(const Node& path) {
+    const std::vector<PlacedEffect>& found = path.null.variant.effects;
+    const bool isAtItsEnd = std::any_of(found.begin(), found.end(),
+                                        [&](const PlacedEffect& e) { return hasShapeAtBound(e, path.null.fit); });
+    return {isAtItsEnd, isAtItsEnd || std::any_of(found.begin(), found.end(),
+                                                  [&](const PlacedEffect& e) { return lacksAPart(e, path.null.fit); })};
+}
+
+/// Begins with what failed on blocks left out, with a law, and with the other effects that pass the tests; false where
+/// no pair needs to be tried behind them.
+bool addOtherPaths(SearchContext& search, Node& best, const NullModel& base, const Round& first, FirstEnd end,
+                   const std::vector<std::size_t>& others) {
+    addUnprovenPaths(search, best, base, first);
+    if (search.frontier.beginsAnew) return false;
+    const bool isLawful =
+        addLawPath(search, best, base,
+                   bareOf(search, base, first, phrase("an equation without a name explains more in its place")));
+    if (search.frontier.beginsAnew || (isLawful && termsIn(search, best.null) < 2)) return false;
+    const auto placeOf = [&](std::size_t trial) { return first.trials[trial].screened.candidate.place; };
+    for (std::size_t tried = 0; tried < others.size(); ++tried) {
+        const bool isDone = !end.isOdd && leavesLittle(best.null);
+        if (search.progress.stopRequested() || isDone || isEnoughTried(tried, search.work.done)) break;
+        const std::size_t other = others[tried];
+        // beside an effect that lacks a part and leaves noise it is what goes to the same place that it may stand for
+        if (isNoise(best.null) && !end.isAtItsEnd && !(placeOf(other) == placeOf(*first.chosen))) continue;
+        Node path = pathFrom(search, base, first, other);
+        if (search.frontier.beginsAnew) return false;
+        keepBetter(search, best, std::move(path), base);
+    }
+    return true;
+}
+
+}  // namespace
+
 Outcome<Node> bestPathFrom(SearchContext& search, NullModel& base) {
     const Round first = firstRound(search, base);
     Node best{base, {}};
@@ -167,38 +209,19 @@ Outcome<Node> bestPathFrom(SearchContext& search, NullModel& base) {
     goOn(search, best, first);
     if (search.frontier.beginsAnew || search.progress.stopRequested()) return best;
     const bool hasMore = best.steps.size() > 1 || hasProposal(best.null);
-    const std::vector<PlacedEffect>& found = best.null.variant.effects;
-    // surroundings as hot as they may be are those of something else
-    const bool isAtItsEnd = std::any_of(found.begin(), found.end(),
-                                        [&](const PlacedEffect& e) { return hasShapeAtBound(e, best.null.fit); });
-    const bool isOdd = isAtItsEnd || std::any_of(found.begin(), found.end(),
-                                                 [&](const PlacedEffect& e) { return lacksAPart(e, best.null.fit); });
-    if (!hasMore && !isOdd && (isNoise(best.null) || isColouredNoise(search, best.null))) return best;
+    const FirstEnd end = firstEndOf(best);
+    if (!hasMore && !end.isOdd && (isNoise(best.null) || isColouredNoise(search, best.null))) return best;
     if (!isNoise(best.null) && isCourseAll(search, base, best.null)) return best;
     if (!isNoise(best.null)) seekLikeliest(search, base, first);
 
-    addUnprovenPaths(search, best, base, first);
-    if (search.frontier.beginsAnew) return best;
-    const bool isLawful =
-        addLawPath(search, best, base,
-                   bareOf(search, base, first, phrase("an equation without a name explains more in its place")));
-    if (search.frontier.beginsAnew || (isLawful && termsIn(search, best.null) < 2)) return best;
-    const auto placeOf = [&](std::size_t trial) { return first.trials[trial].screened.candidate.place; };
-    for (std::size_t tried = 0; tried < others.size(); ++tried) {
-        const bool isDone = !isOdd && leavesLittle(best.null);
-        if (search.progress.stopRequested() || isDone || isEnoughTried(tried, search.work.done)) break;
-        const std::size_t other = others[tried];
-        // beside an effect that lacks a part and leaves noise it is what goes to the same place that it may stand for
-        if (isNoise(best.null) && !isAtItsEnd && !(placeOf(other) == placeOf(*first.chosen))) continue;
-        Node path = pathFrom(search, base, first, other);
-        if (search.frontier.beginsAnew) return best;
-        keepBetter(search, best, std::move(path), base);
-    }
+    // where nothing beside the model as given is clearly likelier than a flow alone, another beginning leads no further
+    const bool isFlowAlone = !isNoise(best.null) && search.frontier.best.first.isFlowAlone;
+    if (!isFlowAlone && !addOtherPaths(search, best, base, first, end, others)) return best;
     std::vector<Candidate> taken;
     if (first.chosen) taken.push_back(first.trials[*first.chosen].screened.candidate);
     for (const std::size_t other : others) taken.push_back(first.trials[other].screened.candidate);
     addPairPaths(search, best, base, first, taken);
-    if (search.frontier.beginsAnew || search.progress.stopRequested() || isNoise(best.null) ||
+    if (search.frontier.beginsAnew || search.progress.stopRequested() || isNoise(best.null) || isFlowAlone ||
         search.work.done > mostTrialWork || !search.frontier.opening)
         return best;
     addLawPath(search, best, base, std::move(*search.frontier.opening));

@@ -25,6 +25,13 @@ DiscoverOptions limitedInWork(DiscoverOptions options) {
 
 }  // namespace
 
+bool SoughtFirst::isBeside(const NullModel& null) const {
+    const Eigen::VectorXd& left = null.fit.optimum.residuals;
+    if (residuals.size() == 0 || residuals.size() != left.size()) return false;
+    const double along = residuals.dot(left), both = residuals.squaredNorm() * left.squaredNorm();
+    return along > 0 && along * along > (1 - sameOptimum) * both;
+}
+
 void WorkLimit::add(double steps) {
     done += steps;
     if (most_ > 0 && done > most_) end_.request_stop();

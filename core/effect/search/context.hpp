@@ -73,10 +73,15 @@ struct Stays {
     std::vector<Stay> lawless{};  // where no law passed, with the sum of squares
 };
 
-/// What is likelier beside the model as given than a flow alone that nobody measured.
-struct LikeliestBesideFlow {
-    bool isSought{};
-    std::optional<Node> node{};  // none is
+/// What predicts clearly better than the model as given, or is likelier beside it than a flow alone that nobody
+/// measured.
+struct SoughtFirst {
+    Eigen::VectorXd residuals{};  // of that model; empty: it was not sought
+    std::size_t candidates{};     // among which
+    std::optional<Node> node{};   // none is
+    bool isFlowAlone{};           // and nothing at all is clearly likelier
+    /// Whether it was sought beside this model: it leaves the same, whatever level of noise it is held against.
+    bool isBeside(const NullModel& null) const;
 };
 
 /// The best so far, of named effects.
@@ -86,7 +91,7 @@ struct BestOfNamed {
     std::optional<Whole> unweighed{};  // better by what a round chose and has not weighed against the rest
     std::optional<Whole> likeliest{};  // what predicts best beside the model as given, or is likeliest beside a flow;
                                        // told where none of these is clear, or predicts better
-    LikeliestBesideFlow besideFlow{};
+    SoughtFirst first{};
 };
 
 /// The nodes that were reached.

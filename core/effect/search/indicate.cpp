@@ -89,16 +89,28 @@ void confirm(SearchContext& search, Node& node) {
     }
 }
 
+std::size_t candidateCount(const SearchContext& search, const Node& node) {
+    const Outcome<std::vector<Candidate>> candidates = candidatesIn(search, node.null.variant);
+    return candidates ? candidates->size() : 0;
+}
+
 /// Adds what predicts best beside a node, or else, as the first effect of all, what is likeliest beside a flow that
 /// nobody measured; false where nothing does clearly better than it.
 bool addOne(SearchContext& search, Node& node) {
-    Round round = tryAll(search, node.null);
-    if (search.progress.stopRequested()) return false;
-    std::optional<Node> next = firstThatHolds(search, node, contendersOf(search, node.null, round.trials), round,
-                                              [](const Node&) { return true; });
-    const LikeliestBesideFlow& known = search.frontier.best.besideFlow;
-    if (!next && node.steps.empty()) next = known.isSought ? known.node : withLikeliestBesideFlow(search, node, round);
-    if (!next) return false;
+    const SoughtFirst& known = search.frontier.best.first;
+    const bool isKnown = node.steps.empty() && known.isBeside(node.null);
+    std::optional<Node> next;
+    if (isKnown && known.candidates == candidateCount(search, node)) {
+        next = known.node;
+    } else {
+        Round round = tryAll(search, node.null);
+        if (search.progress.stopRequested()) return false;
+        next = firstThatHolds(search, node, contendersOf(search, node.null, round.trials), round,
+                              [](const Node&) { return true; });
+        if (!next && node.steps.empty())
+            next = isKnown ? known.node : withLikeliestBesideFlow(search, node, round).node;
+    }
+    if (!next || search.progress.stopRequested()) return false;
     node = std::move(*next);
     return true;
 }

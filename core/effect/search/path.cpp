@@ -181,15 +181,19 @@ void seekLikeliest(SearchContext& search, const NullModel& base, const Round& fi
     Frontier& frontier = search.frontier;
     const Node bare{base, {}};
     Round round = first;
-    frontier.best.besideFlow = {};  // of recordings that may have been read in another way
+    frontier.best.first = {};  // of recordings that may have been read in another way
     frontier.best.likeliest.reset();
     std::optional<Node> found =
         firstThatHolds(search, bare, contendersOf(search, base, round.trials), round, [](const Node&) { return true; });
+    bool isFlowAlone = false;
     if (!found && !search.progress.stopRequested()) {
-        found = withLikeliestBesideFlow(search, bare, round);
-        frontier.best.besideFlow = {true, found};
+        LikeliestBesideFlow likeliest = withLikeliestBesideFlow(search, bare, round);
+        found = std::move(likeliest.node);
+        isFlowAlone = !likeliest.isAnyClear;
     }
-    if (!found || search.progress.stopRequested()) return;
+    if (search.progress.stopRequested()) return;
+    frontier.best.first = {base.fit.optimum.residuals, first.screened.size(), found, isFlowAlone};
+    if (!found) return;
     Outcome<ModelState> state = stateOf(found->null.variant, found->null.fit, search.fit.simulation, search.progress);
     if (!state || search.progress.stopRequested()) return;
     frontier.best.likeliest = wholeOf(search, *found, std::move(*state), true);

@@ -302,6 +302,15 @@ TEST_F(BodyInADraught, IsLikeliestNearTheTruthWhereverTheFitHasEnded) {
     }
 }
 
+TEST_F(BodyInADraught, IsSoughtFromWhereTheModelWithoutAnEffectIsLikeliestWhereADescentEndsAboveThat) {
+    const NullModel model = fitted();
+    ASSERT_EQ(model.fit.values.size(), 2);
+    const BesideDisturbance alone = besideDisturbance(model, {}, {});
+    const NullModel astray = at(model, {0.1, 10});  // follows the power at once: no slope tells of a capacity
+    EXPECT_GT(besideDisturbance(astray, {}, {}).misfit, alone.misfit + 100);
+    EXPECT_NEAR(besideDisturbanceAlso(alone, astray, {}, {}).misfit, alone.misfit, 1);
+}
+
 TEST(IsFallen, IsWhatIsWorthAnotherStep) {
     EXPECT_TRUE(isFallen(100, 97.9));
     EXPECT_FALSE(isFallen(100, 98.1));
