@@ -166,6 +166,10 @@ void BlockItem::setEffect(const QString& label, bool isBelow) {
 
 QString BlockItem::effectLabel() const { return label_ ? label_->text() : QString(); }
 
+QRectF BlockItem::effectRect(const QTransform& toView) const {
+    return label_ ? label_->boundingRect().translated(toView.map(label_->pos())) : QRectF();
+}
+
 std::vector<QRectF> BlockItem::ports() const {
     std::vector<QRectF> rects;
     for (const PortShape& port : ports_) rects.push_back(port.rect);

@@ -21,6 +21,8 @@ public:
     void setEffect(const QString& label, bool isBelow = true);
     bool isMarked() const { return label_ != nullptr; }
     QString effectLabel() const;
+    /// Where that label stands on the screen; empty: it has none. [px]
+    QRectF effectRect(const QTransform& toView) const;
     /// The body without texts and outline.
     QRectF body() const { return body_; }
     /// Its connectors as they are drawn.

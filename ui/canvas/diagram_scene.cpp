@@ -200,39 +200,6 @@ void DiagramScene::selectNote(NoteItem& note) {
     note.setSelected(true);
 }
 
-/// Names stand where they cover least: on the side the icon asks for, else on the other, else beside the middle.
-void DiagramScene::placeLabels() {
-    std::vector<QRectF> taken;
-    for (const auto& [name, item] : blocks_) taken.push_back(item->body());
-    constexpr std::size_t most = 120;  // beyond that nobody reads the names at once, and the search would be felt
-    if (blocks_.size() <= most)
-        for (const WireItem* wire : wires_)
-            for (std::size_t i = 1; i < wire->wire().points.size(); ++i)
-                taken.push_back(QRectF(toScene(wire->wire().points[i - 1]), toScene(wire->wire().points[i]))
-                                    .normalized()
-                                    .adjusted(-0.7, -0.7, 0.7, 0.7));
-    if (blocks_.size() > most) return;
-    for (const auto& [name, item] : blocks_) {
-        const BlockItem::LabelPlace preferred = item->preferredLabelPlace();
-        BlockItem::LabelPlace best = preferred;
-        double bestCost = 1e300;
-        for (const int side : {0, 1, -1})
-            for (const bool isAbove : {preferred.isAbove, !preferred.isAbove}) {
-                const QRectF rect = item->labelRect({isAbove, side});
-                double cost = (side != 0 ? 12 : 0) + (isAbove != preferred.isAbove ? 6 : 0);
-                for (const QRectF& other : taken) {
-                    const QRectF shared = other & rect;
-                    if (!shared.isEmpty()) cost += 15 + shared.width() * shared.height();
-                }
-                if (cost >= bestCost) continue;
-                bestCost = cost;
-                best = {isAbove, side};
-            }
-        item->setLabelPlace(best);
-        taken.push_back(item->labelRect(best));
-    }
-}
-
 void DiagramScene::mark(const std::vector<EffectMark>& effects, const std::vector<BlockMark>& marks) {
     std::map<std::string, QString> labels;
     for (const EffectMark& effect : effects) labels[effect.instance] = effect.label;
@@ -245,6 +212,7 @@ void DiagramScene::mark(const std::vector<EffectMark>& effects, const std::vecto
     }
     for (WireItem* item : wires_)
         item->setMarked(labels.contains(instanceOf(item->wire().from)) || labels.contains(instanceOf(item->wire().to)));
+    keepNamesApart();
     placeMarks(marks);
 }
 

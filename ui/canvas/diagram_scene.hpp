@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QFont>
 #include <QGraphicsScene>
 #include <map>
 #include <optional>
@@ -39,6 +40,8 @@ public:
     /// `own`: what the class itself draws beside its blocks; its texts and pictures can be chosen.
     void show(const Diagram& diagram, const std::vector<OwnGraphic>& own = {});
     const Diagram& diagram() const { return diagram_; }
+    /// How the names are read, for which they are kept apart: pixels of the screen per diagram unit, font of the view.
+    void setReading(double zoom, const QFont& font);
     /// Blocks that a result found; of the others those that something is to be said of.
     void mark(const std::vector<EffectMark>& effects, const std::vector<BlockMark>& marks = {});
     bool isEmpty() const { return blocks_.empty(); }
@@ -78,6 +81,7 @@ private:
     bool hasRoomBelow(const BlockItem& item) const;
     void showGraphics(const std::vector<OwnGraphic>& own, std::optional<std::uint32_t> chosen);
     void placeLabels();
+    void keepNamesApart();
     void placeMarks(const std::vector<BlockMark>& marks);
 
     void noteOrder();
@@ -88,6 +92,8 @@ private:
     std::map<std::string, BlockItem*> blocks_;
     std::vector<WireItem*> wires_;
     std::vector<NoteItem*> notes_;
+    double zoom_{};  // of the reading; 0: nobody looks
+    QFont font_;
     std::optional<MovedBlocks> moved_;  // while they are dragged
     bool isRebuilding_{};
 };

@@ -44,6 +44,7 @@ void DiagramView::fitView() {
     const double zoom =
         std::min({viewport()->width() / contents.width(), viewport()->height() / contents.height(), 5.0});
     setTransform(QTransform::fromScale(zoom, zoom));
+    scene_.setReading(zoom, font());
     centerOn(contents.center());
 }
 
@@ -51,6 +52,7 @@ void DiagramView::zoomBy(double factor, QPoint about) {
     const double wanted = std::clamp(zoom() * factor, smallestZoom, largestZoom);
     const QPointF fixed = mapToScene(about);
     scale(wanted / zoom(), wanted / zoom());
+    scene_.setReading(zoom(), font());
     const QPoint moved = mapFromScene(fixed) - about;
     horizontalScrollBar()->setValue(horizontalScrollBar()->value() + moved.x());
     verticalScrollBar()->setValue(verticalScrollBar()->value() + moved.y());
@@ -270,32 +272,10 @@ void DiagramView::resizeEvent(QResizeEvent* event) {
 void DiagramView::changeEvent(QEvent* event) {
     QGraphicsView::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) viewport()->update();
-}
-
-/// Names are as large where the blocks are near each other on the screen: one that would touch its neighbour's stands a
-/// line further from its block, and two names are not read as one.
-void DiagramView::keepNamesApart() const {
-    constexpr int gap = 6;             // [px]
-    constexpr std::size_t most = 120;  // beyond that nobody reads the names at once
-    const std::vector<Block>& blocks = scene_.diagram().blocks;
-    if (zoom() < BlockItem::leastZoomWithNames || blocks.size() > most) return;
-    std::vector<QRect> taken;
-    for (const Block& block : blocks) {
-        BlockItem* item = scene_.block(block.name);
-        if (!item) continue;
-        const auto touches = [&] {
-            const QRect wide = nameRect(block.name).adjusted(-gap, 0, gap, 0);
-            return std::any_of(taken.begin(), taken.end(), [&](const QRect& other) { return wide.intersects(other); });
-        };
-        item->setLinesAway(0);
-        if (touches()) item->setLinesAway(1);
-        if (touches()) item->setLinesAway(0);  // nothing is gained
-        taken.push_back(nameRect(block.name));
-    }
+    if (event->type() == QEvent::FontChange) scene_.setReading(zoom(), font());
 }
 
 void DiagramView::drawBackground(QPainter* painter, const QRectF& rect) {
-    keepNamesApart();
     painter->fillRect(rect, style::canvas(palette()));
     double step = gridStep;
     while (step * zoom() < 14) step *= 2;
