@@ -7,12 +7,15 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QSettings>
+#include <QTabBar>
 #include <QToolButton>
 #include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
 
 #include "tests/ui/panels_fixture.hpp"
 #include "tests/ui/sample_finding.hpp"
 #include "ui/effect/result_panel.hpp"
+#include "ui/style/style.hpp"
 
 namespace analogon::ui {
 
@@ -315,6 +318,59 @@ TEST_F(Arrangements, WhatWasTriedIsSortedByItsColumns) {
     EXPECT_TRUE(std::is_sorted(names.begin(), names.end(),
                                [](const QString& a, const QString& b) { return a.localeAwareCompare(b) < 0; }));
     document().undoStack().setClean();
+}
+
+TEST_F(Arrangements, TheButtonBesideARowIsSeenWhereTheRowIsSelected) {
+    openLambda();
+    document().setResult(RunKind::Discover,
+                         sampleFinding(document(), "thermal.radiation", "Analogon.Effects.Thermal.Radiation",
+                                       "radiation", "element.solid", "port", "epsilon"),
+                         document().study());
+    auto* results = panel<ResultPanel>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return results->candidates() != nullptr; }, 5000));
+    QTreeWidget* list = results->candidates();
+    QTreeWidgetItem* row = nullptr;
+    for (QTreeWidgetItemIterator each(list); *each && !row; ++each)
+        if (list->itemWidget(*each, 5)) row = *each;
+    ASSERT_TRUE(row);
+    QWidget* button = list->itemWidget(row, 5);
+    for (const style::Theme theme : {style::Theme::Light, style::Theme::Dark}) {
+        style::apply(*qApp, theme);
+        list->setCurrentItem(row);
+        results->ensureWidgetVisible(button);
+        QTest::qWait(50);
+        const QImage drawn = list->viewport()->grab(button->geometry()).toImage();
+        const QColor ink = list->palette().color(QPalette::HighlightedText);
+        int ofWords = 0;
+        for (int y = 0; y < drawn.height(); ++y)
+            for (int x = 0; x < drawn.width(); ++x)
+                ofWords += std::abs(drawn.pixelColor(x, y).lightness() - ink.lightness()) < 30;
+        EXPECT_GT(ofWords, 10) << "in the ink of the words beside it";
+    }
+    style::apply(*qApp, style::Theme::Light);
+    document().undoStack().setClean();
+}
+
+TEST_F(Arrangements, TheTabsOfPanelsHaveTheRoomThatTheWindowLeavesThem) {
+    openLambda();
+    const auto widths = [&] {
+        QTest::qWait(50);
+        std::vector<int> all;
+        for (const QTabBar* bar : window.findChildren<QTabBar*>())
+            for (int i = 0; bar->isVisible() && i < bar->count(); ++i) all.push_back(bar->tabRect(i).width());
+        return all;
+    };
+    window.resize(1000, 700);
+    const std::vector<int> narrow = widths();
+    window.resize(1500, 900);
+    const std::vector<int> wide = widths();
+    ASSERT_EQ(narrow.size(), wide.size());
+    ASSERT_GT(wide.size(), 4u);
+    for (std::size_t i = 0; i < wide.size(); ++i) EXPECT_GT(wide[i], narrow[i]) << i;
+    window.resize(1000, 700);
+    EXPECT_EQ(widths(), narrow);
+    window.resize(1500, 900);
+    EXPECT_EQ(widths(), wide);
 }
 
 TEST_F(Arrangements, AnEffectIsTriedByTheButtonBesideItsRow) {

@@ -23,6 +23,7 @@
 #include "ui/effect/result_panel.hpp"
 #include "ui/effect/result_table.hpp"
 #include "ui/style/ink.hpp"
+#include "ui/style/row_button.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
 
@@ -195,9 +196,8 @@ void ResultPanel::groupCandidates() {
         else
             candidates_->addTopLevelItem(row);
         if (!canBeTried(row)) continue;
-        auto* button = new QToolButton;
+        auto* button = new style::RowButton(*candidates_);
         button->setIcon(style::icon("simulate"));
-        button->setAutoRaise(true);
         button->setFocusPolicy(Qt::NoFocus);  // Enter on the row does the same
         button->setToolTip(tr("Try this effect"));
         button->setAccessibleName(tr("Try this effect"));

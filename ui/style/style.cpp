@@ -23,6 +23,7 @@
 #include <array>
 #include <cmath>
 
+#include "ui/style/tab_room.hpp"
 #include "ui/style/wheel_guard.hpp"
 
 // Resources of a static library must be asked for; the macro wants the global namespace.
@@ -90,8 +91,6 @@ QPalette darkPalette() {
     return p;
 }
 
-constexpr int smallWindow = 1100;  // [px] wide
-
 /// Fusion without its gradients: flat bars, tabs and headers, rows with air between them, and check marks that can be
 /// seen on a dark ground.
 class Flat : public QProxyStyle {
@@ -107,7 +106,7 @@ public:
             case PM_TabBarTabShiftVertical:
                 return 0;
             case PM_TabBarTabHSpace:  // in a small window the words of the tabs need the room
-                return widget && widget->window()->width() < smallWindow ? 2 * unit : 6 * unit;
+                return widget && isNarrowWindow(*widget->window()) ? 2 * unit : 6 * unit;
             case PM_FocusFrameHMargin:  // beside the text of a cell
                 return unit - 1;
             case PM_DockWidgetSeparatorExtent:
@@ -491,8 +490,10 @@ bool isDark(const QPalette& palette) { return palette.color(QPalette::Base).ligh
 
 void apply(QApplication& application, Theme theme) {
     static const QPalette desktop = QGuiApplication::palette();    // before we set our own
-    static WheelGuard* const guard = new WheelGuard(application);  // the application owns it
+    static WheelGuard* const guard = new WheelGuard(application);  // the application owns them
+    static TabRoom* const room = new TabRoom(application);
     static_cast<void>(guard);
+    static_cast<void>(room);
     loadIcons();
     chosen = theme;
     const bool dark = theme == Theme::Dark || (theme == Theme::System && isDark(desktop));
