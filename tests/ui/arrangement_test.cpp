@@ -72,6 +72,15 @@ TEST_F(Arrangements, APanelThatIsAloneInItsPlaceHasItsTitle) {
     EXPECT_TRUE(hasNone("library")) << "all are there again";
 }
 
+TEST_F(Arrangements, PanelsThatShareAPlaceHaveTheirNameOnceInANewStudy) {
+    window.startNew();
+    ASSERT_TRUE(document().isOpen());
+    for (const char* dock : {"library", "signals", "result", "runs", "traces", "plots", "messages"}) {
+        const QWidget* title = panel<QDockWidget>(dock)->titleBarWidget();
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !title->isVisible() || title->height() < 10; }, 500)) << dock;
+    }
+}
+
 /// A screen of 1024 x 700, and one of 1280 x 720 at 150 %.
 TEST_F(Arrangements, LeaveRoomForTheDiagramInSmallWindows) {
     openLambda();

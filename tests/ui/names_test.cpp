@@ -2,6 +2,7 @@
 #include "ui/canvas/block_item.hpp"
 #include "ui/canvas/diagram_scene.hpp"
 #include "ui/canvas/diagram_view.hpp"
+#include "ui/canvas/wire_item.hpp"
 
 /// Where the names of the blocks stand in the diagram.
 namespace analogon::ui {
@@ -56,6 +57,29 @@ TEST_F(Names, AreApartAtEveryZoomAndAfterEveryChange) {
     expectApart("the font is larger");
 }
 
+/// In a small window the output of the example and what stands beside it have names that touch: the name of the one
+/// was led past the wire and stood at the triangle of the other.
+TEST_F(Names, StayAtTheirBlocksInASmallWindow) {
+    openLambda();
+    window.resize(853, 480);
+    QTest::qWait(100);
+    expectApart("a small window");
+    const int line = QFontMetrics(view().font()).height();
+    for (const Block& block : scene().diagram().blocks) {
+        const QRect name = view().nameRect(block.name);
+        const QRect body = view().mapFromScene(scene().block(block.name)->body()).boundingRect();
+        EXPECT_TRUE(name.intersects(body.adjusted(-line, -line, line, line))) << block.name;
+        for (const WireItem* wire : scene().wires())
+            for (std::size_t i = 1; i < wire->wire().points.size(); ++i) {
+                const Point a = wire->wire().points[i - 1], b = wire->wire().points[i];
+                EXPECT_FALSE(
+                    name.adjusted(1, 1, -1, -1)
+                        .intersects(QRect(view().mapFromScene(a.x, -a.y), view().mapFromScene(b.x, -b.y)).normalized()))
+                    << block.name << " over the wire from " << wire->wire().from;
+            }
+    }
+}
+
 TEST_F(Names, GiveWayToTheLabelOfAnEffect) {
     drawRow();
     scene().mark({{"capacityOfWall2", "heat capacity of the wall"}});
@@ -71,7 +95,7 @@ TEST_F(Names, GiveWayToTheLabelOfAnEffect) {
 TEST_F(Names, AreNotSoughtPlacesForInARepaint) {
     drawRow();
     const QRect placed = view().nameRect("capacityOfWall0");
-    scene().block("capacityOfWall0")->setLinesAway(7);
+    scene().block("capacityOfWall0")->setLabelPlace({true, 0, 7});
     const QRect put = view().nameRect("capacityOfWall0");
     ASSERT_NE(put, placed);
     view().viewport()->repaint();

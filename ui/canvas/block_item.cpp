@@ -204,7 +204,7 @@ QRectF BlockItem::nameLine(const QTransform& toView, const QFont& font) const {
                            labelPlace_.isAbove ? body_.top() - outlineGap : body_.bottom() + outlineGap));
     const double height = QFontMetricsF(font).height(), wide = 400;
     const double left = at.x() + (labelPlace_.side - 1) * wide / 2;
-    const double away = height * linesAway_;
+    const double away = height * labelPlace_.lines;
     return {left, labelPlace_.isAbove ? at.y() - height - away : at.y() + away, wide, height};
 }
 

@@ -32,12 +32,13 @@ public:
     /// Where the name and the values stand: above or below the body, in its middle or to one side of it.
     struct LabelPlace {
         bool isAbove{};
-        int side{};  // -1: ends at the middle, 0: centred, 1: begins at the middle
+        int side{};   // -1: ends at the middle, 0: centred, 1: begins at the middle
+        int lines{};  // by which the name stands further from the block than it would alone
+        bool operator==(const LabelPlace&) const = default;
     };
     void setLabelPlace(LabelPlace place);
+    LabelPlace labelPlace() const { return labelPlace_; }
     LabelPlace preferredLabelPlace() const { return {isNameAbove_, 0}; }
-    /// By how many lines the name stands further from the block than it would alone.
-    void setLinesAway(int lines) { linesAway_ = lines; }
     /// The name as it stands on the screen, with the font of the view. [px]
     QRectF nameRect(const QTransform& toView, QFont font) const;
     /// What the texts would cover there, at the zoom of a diagram that fits the window.
@@ -90,7 +91,6 @@ private:
     bool isNameAbove_{};
     bool staysInside_{true};  // no text of its icon is larger than its place
     LabelPlace labelPlace_;
-    int linesAway_{};     // by which the name stands further from the block
     QStringList values_;  // "R = 2.452"
     QStringList remarks_;
     std::vector<PortShape> ports_;

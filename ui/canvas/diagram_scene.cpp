@@ -143,6 +143,7 @@ void DiagramScene::show(const Diagram& diagram, const std::vector<OwnGraphic>& o
     pointedOut_.clear();
     clear();
     blocks_.clear();
+    places_.clear();
     wires_.clear();
     notes_.clear();
     showGraphics(own, note);
@@ -212,8 +213,8 @@ void DiagramScene::mark(const std::vector<EffectMark>& effects, const std::vecto
     }
     for (WireItem* item : wires_)
         item->setMarked(labels.contains(instanceOf(item->wire().from)) || labels.contains(instanceOf(item->wire().to)));
-    keepNamesApart();
     placeMarks(marks);
+    keepNamesApart();
 }
 
 BlockItem* DiagramScene::block(const std::string& name) const {

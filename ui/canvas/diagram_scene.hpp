@@ -6,13 +6,13 @@
 #include <optional>
 
 #include "core/diagram/graphics_edit.hpp"
+#include "ui/canvas/block_item.hpp"
 #include "ui/canvas/mark_item.hpp"
 #include "ui/route/moved.hpp"
 #include "ui/route/selection.hpp"
 
 namespace analogon::ui {
 
-class BlockItem;
 class NoteItem;
 class WireItem;
 
@@ -82,6 +82,7 @@ private:
     void showGraphics(const std::vector<OwnGraphic>& own, std::optional<std::uint32_t> chosen);
     void placeLabels();
     void keepNamesApart();
+    std::vector<QRectF> drawnAround(const QTransform& toView) const;
     void placeMarks(const std::vector<BlockMark>& marks);
 
     void noteOrder();
@@ -90,6 +91,7 @@ private:
     std::string pointedOut_;
     std::vector<std::string> order_;  // selected blocks, first selected first
     std::map<std::string, BlockItem*> blocks_;
+    std::map<std::string, BlockItem::LabelPlace> places_;  // of the names, whatever the zoom
     std::vector<WireItem*> wires_;
     std::vector<NoteItem*> notes_;
     double zoom_{};  // of the reading; 0: nobody looks
