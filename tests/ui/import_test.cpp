@@ -99,11 +99,13 @@ TEST_F(Import, TakesSeveralFilesThatAreTypedOneAfterTheOther) {
     QTest::keyClicks(name, '"' + one + "\" \"" + two + '"');
     QTest::keyClick(name, Qt::Key_Return);
     for (int file = 0; file < 2; ++file) {
-        ASSERT_TRUE(isReady()) << "the page of file " << file;
+        ASSERT_TRUE(isReady() && import()->isVisible()) << "the page of file " << file;
         QTest::mouseClick(import()->acceptButton(), Qt::LeftButton);
         QTest::qWait(50);
     }
-    EXPECT_EQ(document().study().experiments.size(), before + 2);
+    ASSERT_EQ(document().study().experiments.size(), before + 2);
+    EXPECT_THAT(document().study().experiments[before].file, testing::EndsWith("one.csv"));
+    EXPECT_THAT(document().study().experiments[before + 1].file, testing::EndsWith("two.csv"));
     document().undoStack().setClean();
     QTest::qWait(100);
     QSettings().remove("window/folder");  // of this test alone

@@ -91,6 +91,28 @@ TEST_F(Names, GiveWayToTheLabelOfAnEffect) {
     expectApart("the effect is gone");
 }
 
+/// The label of an effect is below its block, and above it where it would cover another one or a wire.
+TEST_F(Names, LabelsOfEffectsCoverNoBlock) {
+    window.startNew();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen(); }, 20000));
+    const auto block = [](const char* name, const char* extent) {
+        return std::string("  Analogon.Thermal.HeatCapacitor ") + name +
+               " annotation (Placement(transformation(extent={" + extent + "})));\n";
+    };
+    document().typeText(QString::fromStdString("model Model\n" + block("upper", "{-10,40},{10,60}") +
+                                               block("lower", "{-10,10},{10,30}") + "end Model;\n"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return scene().block("lower") != nullptr; }, 20000));
+    QTest::qWait(50);
+    for (const auto& [marked, other] : {std::pair("upper", "lower"), std::pair("lower", "upper")}) {
+        scene().mark({{marked, "radiation"}});
+        const QTransform toView = view().viewportTransform();
+        const QRectF label = scene().block(marked)->effectRect(toView);
+        ASSERT_FALSE(label.isEmpty());
+        EXPECT_FALSE(label.intersects(toView.mapRect(scene().block(other)->body()))) << marked;
+        EXPECT_EQ(label.top() > toView.mapRect(scene().block(marked)->body()).top(), marked == std::string("lower"));
+    }
+}
+
 /// To look for their places takes a while where there are many; a repaint follows every movement of the mouse.
 TEST_F(Names, AreNotSoughtPlacesForInARepaint) {
     drawRow();

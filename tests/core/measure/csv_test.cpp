@@ -114,14 +114,16 @@ TEST(Csv, RenamesDuplicatesWithAWarning) {
 }
 
 TEST(Csv, ReadsMissingAndInfiniteCellsAndKeepsTheirPlaces) {
-    const Table table = read("time,u\n0,nan\n1,inf\n2,1e999\n3,-1.#IND\n4,\n5,NaN\n6,1e-400\n");
+    const Table table = read("time,u\n0,nan\n1,inf\n2,1e999\n3,-1.#IND\n4,\n5,NaN\n6,1e-400\n7,---\n8,-----\n");
     const Column& u = table.columns[1];
     EXPECT_TRUE(std::isnan(u.values[0]));
     EXPECT_TRUE(std::isinf(u.values[2]));
     EXPECT_EQ(u.values[6], 0);
-    ASSERT_EQ(u.blanks.size(), 6u);
+    ASSERT_EQ(u.blanks.size(), 8u);
     EXPECT_EQ(u.blanks[4].row, 4u);
     EXPECT_EQ(u.blanks[4].position, 3);
+    for (const std::size_t row : {7u, 8u})
+        EXPECT_TRUE(std::isnan(u.values[row])) << "dashes where nothing was measured";
 }
 
 TEST(Csv, ReadsLatin1AndUtf16) {
