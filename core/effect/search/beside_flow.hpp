@@ -11,8 +11,9 @@ namespace analogon {
 class SearchContext;
 
 struct LikeliestBesideFlow {
-    std::optional<Node> node{};  // none is clearly likelier than the flow alone, or an equation without a name is by far
-    bool isAnyClear{};           // of the trials, names and equations
+    /// Empty: none is clearly likelier than the flow alone, or an equation without a name is by far.
+    std::optional<Node> node{};
+    bool isAnyClear{};  // of the trials, names and equations
 };
 
 /// A node with that trial of a round which, refitted, is likeliest beside a flow that nobody measured. Such a flow
