@@ -7064,6 +7064,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Dort hat nichts eine eigene Bewegung</translation>
     </message>
     <message>
+        <source>it came to a far poorer optimum</source>
+        <translation>sie kam zu einem weit schlechteren Optimum</translation>
+    </message>
+    <message>
         <source>the last fit failed, the search's own stands: {}</source>
         <translation>Die letzte Anpassung schlug fehl, es gilt die der Suche: {}</translation>
     </message>

@@ -42,4 +42,9 @@ bool beginElsewhere(SearchContext& search, NullModel& null) {
     return true;
 }
 
+bool isAstray(const NullModel& last, const NullModel& own) {
+    return last.fit.optimum.residuals.size() == own.fit.optimum.residuals.size() &&
+           !(reducedChi(last.fit) <= threshold::acceptance::largeResidual * reducedChi(own.fit));
+}
+
 }  // namespace analogon

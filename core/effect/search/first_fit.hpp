@@ -24,4 +24,8 @@ double toleranceBeside(const NullModel& base, double asked);
 /// all that follows begin where start values near the given ones led to less.
 bool beginElsewhere(SearchContext& search, NullModel& null);
 
+/// Whether the last fit of a search, on the same samples and in units of the same noise, has come to a far poorer
+/// optimum than the search: a model that cannot be integrated as exactly at the search's own is fitted from elsewhere.
+bool isAstray(const NullModel& last, const NullModel& own);
+
 }  // namespace analogon

@@ -353,6 +353,17 @@ bool Run::isAsGiven() const {
            readings.drawn.asRecorded.empty();
 }
 
+/// What the search came to stands, integrated as it was there.
+Outcome<Done> Run::keepOwnFit(const Text& why) {
+    const NullModel& own = end_.node.null;
+    end_.finding.warnings.push_back(phrase("the last fit failed, the search's own stands: {}", why));
+    Outcome<ModelState> found = stateOf(own.variant, own.fit, search_.fit.simulation, search_.progress);
+    if (!found) return found.diagnostics();
+    search_.journal.model("last fit", own, "failed");
+    end_.finding.final = std::move(*found);
+    return Done{};
+}
+
 /// The search was content with less: the model that is reported is fitted on every sample, and integrated as exactly as
 /// was asked for. What it does not need there is taken out of it.
 Outcome<Done> Run::fitAtLast() {
@@ -369,16 +380,8 @@ Outcome<Done> Run::fitAtLast() {
         if (!whole) return whole.diagnostics();
         Outcome<NullModel> fitted = fitNull(*whole, onAll_ ? onAll_->noise : node.null.noise,
                                             isOther ? NoiseLevel::Estimate : NoiseLevel::Keep, exact, search_.progress);
-        if (!fitted) {
-            // what the search came to stands, integrated as it was there
-            end_.finding.warnings.push_back(
-                phrase("the last fit failed, the search's own stands: {}", fitted.diagnostics().front().message));
-            Outcome<ModelState> found =
-                stateOf(node.null.variant, node.null.fit, search_.fit.simulation, search_.progress);
-            if (!found) return found.diagnostics();
-            end_.finding.final = std::move(*found);
-            return Done{};
-        }
+        if (!fitted) return keepOwnFit(fitted.diagnostics().front().message);
+        if (!isOther && isAstray(*fitted, node.null)) return keepOwnFit(phrase("it came to a far poorer optimum"));
         if (isOther &&
             std::any_of(node.steps.begin(), node.steps.end(), [](const Step& step) { return step.prediction; }))
             seekFromTheStart(search_, readings.full, *fitted);

@@ -26,6 +26,7 @@ private:
     void concludeBestPath();
     void weighHeldValues();
     Outcome<Done> fitAtLast();
+    Outcome<Done> keepOwnFit(const Text& why);
 
     void takeBestOnAll();
     Outcome<Done> fitOnAll();

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/core/effect/search/warm_search.hpp"
 
 namespace analogon {
@@ -33,6 +35,20 @@ TEST(FirstFit, IsAsExactAsWasAskedForWhereTheNoiseAsksForMore) {
     const double found = toleranceBeside(of.base, 1e-9), between = (found + 3e-5) / 2;
     ASSERT_LT(found, between);
     EXPECT_DOUBLE_EQ(toleranceBeside(of.base, between), between);
+}
+
+TEST(LastFit, IsAstrayWhereItLeavesAFifthMoreThanTheSearchDidOnTheSameSamples) {
+    WarmSearch of(laggingBody(0));
+    NullModel last = of.base;
+    EXPECT_FALSE(isAstray(last, of.base));
+    last.fit.optimum.residuals *= 1.15;
+    EXPECT_FALSE(isAstray(last, of.base));
+    last.fit.optimum.residuals *= 1.1;
+    EXPECT_TRUE(isAstray(last, of.base));
+    last.fit.optimum.residuals.fill(std::numeric_limits<double>::quiet_NaN());
+    EXPECT_TRUE(isAstray(last, of.base));
+    last.fit.optimum.residuals.conservativeResize(last.fit.optimum.residuals.size() / 2);
+    EXPECT_FALSE(isAstray(last, of.base)) << "of other samples";
 }
 
 }  // namespace
