@@ -31,6 +31,15 @@ protected:
         names.sort();
         return names;
     }
+    /// The result of a search that added radiation, in these words, with what was tried.
+    void showRadiation(const std::string& words) {
+        openLambda();
+        document().setResult(RunKind::Discover,
+                             sampleFinding(document(), "thermal.radiation", "Analogon.Effects.Thermal.Radiation", words,
+                                           "element.solid", "port", "epsilon"),
+                             document().study());
+        ASSERT_TRUE(QTest::qWaitFor([&] { return panel<ResultPanel>()->candidates() != nullptr; }, 5000));
+    }
 };
 
 }  // namespace
@@ -174,13 +183,9 @@ QStringList wordsThatAreCut(QTreeWidget& list) {
 }
 
 TEST_F(Arrangements, NamesOfWhatWasTriedHaveRoomInASmallWindow) {
-    openLambda();
-    document().setResult(RunKind::Discover,
-                         sampleFinding(document(), "thermal.radiation", "Analogon.Effects.Thermal.Radiation",
-                                       "Heat radiation to constant surroundings", "element.solid", "port", "epsilon"),
-                         document().study());
+    showRadiation("Heat radiation to constant surroundings");
     auto* results = panel<ResultPanel>();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return results->candidates() != nullptr; }, 5000));
+    ASSERT_TRUE(results->candidates());
     const auto shownFigures = [&] {
         return !results->candidates()->isColumnHidden(2) + !results->candidates()->isColumnHidden(3);
     };
@@ -253,13 +258,9 @@ TEST_F(Arrangements, NamesOfWhatWasTriedHaveAsManyLinesAsTheyNeedBelowTheHeading
 }
 
 TEST_F(Arrangements, WhichFiguresAreHiddenDependsOnThePresentWidthAlone) {
-    openLambda();
-    document().setResult(RunKind::Discover,
-                         sampleFinding(document(), "thermal.radiation", "Analogon.Effects.Thermal.Radiation",
-                                       "Heat radiation to constant surroundings", "element.solid", "port", "epsilon"),
-                         document().study());
+    showRadiation("Heat radiation to constant surroundings");
     auto* results = panel<ResultPanel>();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return results->candidates() != nullptr; }, 5000));
+    ASSERT_TRUE(results->candidates());
     QTreeWidget* list = results->candidates();
     QTest::qWait(50);
     const auto hiddenAt = [&](int width) {
@@ -281,13 +282,9 @@ TEST_F(Arrangements, WhichFiguresAreHiddenDependsOnThePresentWidthAlone) {
 }
 
 TEST_F(Arrangements, WhatWasTriedIsSortedByItsColumns) {
-    openLambda();
-    document().setResult(RunKind::Discover,
-                         sampleFinding(document(), "thermal.radiation", "Analogon.Effects.Thermal.Radiation",
-                                       "Heat radiation", "element.solid", "port", "epsilon"),
-                         document().study());
+    showRadiation("Heat radiation");
     auto* results = panel<ResultPanel>();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return results->candidates() != nullptr; }, 5000));
+    ASSERT_TRUE(results->candidates());
     QTest::qWait(50);
     const auto column = [&](int c) {
         QStringList texts;
@@ -330,13 +327,9 @@ TEST_F(Arrangements, WhatWasTriedIsSortedByItsColumns) {
 }
 
 TEST_F(Arrangements, TheButtonBesideARowIsSeenWhereTheRowIsSelected) {
-    openLambda();
-    document().setResult(RunKind::Discover,
-                         sampleFinding(document(), "thermal.radiation", "Analogon.Effects.Thermal.Radiation",
-                                       "radiation", "element.solid", "port", "epsilon"),
-                         document().study());
+    showRadiation("radiation");
     auto* results = panel<ResultPanel>();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return results->candidates() != nullptr; }, 5000));
+    ASSERT_TRUE(results->candidates());
     QTreeWidget* list = results->candidates();
     QTreeWidgetItem* row = nullptr;
     for (QTreeWidgetItemIterator each(list); *each && !row; ++each)

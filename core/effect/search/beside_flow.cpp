@@ -57,56 +57,42 @@ std::vector<LikelyTrial> toFirstOrder(const SearchContext& search, const NullMod
     return likely;
 }
 
-/// Trials with flow and parameters where they are likeliest.
-class AtTheirLikeliest {
-public:
-    AtTheirLikeliest(const SearchContext& search, const NullModel& null, const std::vector<Trial>& trials)
-        : search_(search),
-          null_(null),
-          trials_(trials),
-          alone_(besideDisturbance(null, search.fit.simulation, search.progress, oneFlow)) {}
-
-    /// Of some more trials; those that cannot be fitted are left out.
-    void add(const std::vector<LikelyTrial>& likely) {
-        std::vector<std::optional<BesideDisturbance>> beside(likely.size());
-        parallelFor(static_cast<int>(likely.size()), search_.options.threads, [&](int k) {
-            const auto i = static_cast<std::size_t>(k);
-            const Variant& variant = trials_[likely[i].trial].variant;
-            if (const auto with = fitNull(variant, null_.noise, NoiseLevel::Keep, search_.fit, search_.progress))
-                beside[i] = besideDisturbanceAlso(alone_, *with, search_.fit.simulation, search_.progress, oneFlow);
-        });
-        const Eigen::Index rows = null_.fit.optimum.residuals.size();
-        for (std::size_t i = 0; i < likely.size(); ++i)
-            if (const std::size_t trial = likely[i].trial; beside[i])
-                best.push_back({trial, evidenceBeside(alone_, *beside[i], rows, trials_[trial].freed())});
-        std::stable_sort(best.begin(), best.end(), isLikelierThan);
-    }
-
-    std::vector<LikelyTrial> best{};  // first
-
-private:
-    const SearchContext& search_;
-    const NullModel& null_;
-    const std::vector<Trial>& trials_;
-    const BesideDisturbance alone_;
-};
+/// Trials with flow and parameters where they are likeliest; those that cannot be fitted are left out.
+std::vector<LikelyTrial> fittedBesideFlow(const SearchContext& search, const NullModel& null,
+                                          const BesideDisturbance& alone, const std::vector<Trial>& trials,
+                                          const std::vector<LikelyTrial>& likely) {
+    std::vector<std::optional<BesideDisturbance>> beside(likely.size());
+    parallelFor(static_cast<int>(likely.size()), search.options.threads, [&](int k) {
+        const auto i = static_cast<std::size_t>(k);
+        const Variant& variant = trials[likely[i].trial].variant;
+        if (const auto with = fitNull(variant, null.noise, NoiseLevel::Keep, search.fit, search.progress))
+            beside[i] = besideDisturbanceAlso(alone, *with, search.fit.simulation, search.progress, oneFlow);
+    });
+    const Eigen::Index rows = null.fit.optimum.residuals.size();
+    std::vector<LikelyTrial> all;
+    for (std::size_t i = 0; i < likely.size(); ++i)
+        if (const std::size_t trial = likely[i].trial; beside[i])
+            all.push_back({trial, evidenceBeside(alone, *beside[i], rows, trials[trial].freed())});
+    return all;
+}
 
 /// The first of them with flow and parameters where they are likeliest, the best first. What parameters that follow to
-/// first order promise is more than what is left of it there: what promises no clear evidence, or less than another
-/// has, is not asked.
+/// first order promise is as a rule more than what is left of it there: what promises no clear evidence, or less than
+/// another has, is not asked.
 std::vector<LikelyTrial> atTheirLikeliest(const SearchContext& search, const NullModel& null,
                                           const std::vector<Trial>& trials, std::vector<LikelyTrial> likely) {
     likely.resize(std::min(likely.size(), mostTries));
     std::erase_if(likely, [](const LikelyTrial& l) { return !(l.evidence > clearEvidence); });
     if (likely.empty()) return {};
-    AtTheirLikeliest at(search, null, trials);
-    at.add({likely.front()});
+    const BesideDisturbance alone = besideDisturbance(null, search.fit.simulation, search.progress, oneFlow);
+    std::vector<LikelyTrial> best = fittedBesideFlow(search, null, alone, trials, {likely.front()});
     likely.erase(likely.begin());
-    if (!at.best.empty())
-        std::erase_if(likely,
-                      [&](const LikelyTrial& l) { return l.evidence < at.best.front().evidence - equivalenceMargin; });
-    at.add(likely);
-    return std::move(at.best);
+    const double least = best.empty() ? clearEvidence : best.front().evidence - equivalenceMargin;
+    std::erase_if(likely, [&](const LikelyTrial& l) { return l.evidence < least; });
+    const std::vector<LikelyTrial> others = fittedBesideFlow(search, null, alone, trials, likely);
+    best.insert(best.end(), others.begin(), others.end());
+    std::stable_sort(best.begin(), best.end(), isLikelierThan);
+    return best;
 }
 
 /// The simplest of the names that are as likely as the likeliest, with these as its class. False where none is clear,
