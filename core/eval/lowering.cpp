@@ -153,6 +153,7 @@ void Lowering::begin(Given given) {
     localNodes_.clear();
     used_.clear();
     usedTapDelays_.clear();
+    powers_.clear();
     program_ = {};
     ownCount_ = 0;
     given_ = given;
@@ -275,8 +276,19 @@ std::uint32_t Lowering::lowerPower(const ExpressionNode& node) {
         if (exponent == 4) return emit(Opcode::Square, emit(Opcode::Square, a));
         if (exponent == -1) return emit(Opcode::Divide, constant(1), a);
         if (exponent == -2) return emit(Opcode::Divide, constant(1), emit(Opcode::Square, a));
+        return powerOf(a, exponent);
     }
     return emit(Opcode::Power, a, lower(node.b));
+}
+
+/// Beside a power its derivative is a quotient: a^(b - 1) = a^b / a, and 0 at 0 where b > 1.
+std::uint32_t Lowering::powerOf(std::uint32_t a, double exponent) {
+    if (const auto higher = powers_.find({a, exponent + 1}); higher != powers_.end()) {
+        const std::uint32_t quotient = emit(Opcode::Divide, higher->second, a);
+        if (exponent < 0) return quotient;
+        return emit(Opcode::Select, emit(Opcode::Equal, a, constant(0)), constant(0), quotient);
+    }
+    return powers_[{a, exponent}] = emit(Opcode::Power, a, constant(exponent));
 }
 
 std::uint8_t Lowering::degreeOf(const Instruction& i) const {
@@ -482,6 +494,7 @@ void Lowering::lowerNonlinear(const SolutionBlock& block) {
     scope_ = nullptr;
     for (const ExpressionId node : scopedNodes_) local_[node.value] = none;
     scopedNodes_.clear();
+    powers_.clear();
     for (std::size_t i = 0; i < block.unknowns.size(); ++i) {
         RegisterInfo& info = registers_[nonlinear.unknowns[i]];
         info.isScoped = false;

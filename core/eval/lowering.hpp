@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 
 #include "core/eval/program.hpp"
 #include "core/structure/rewrite.hpp"
@@ -94,6 +95,7 @@ private:
     std::uint32_t lowerLeaf(const ExpressionNode& node);
     std::uint32_t lowerDelay(ExpressionId expression);
     std::uint32_t lowerPower(const ExpressionNode& node);
+    std::uint32_t powerOf(std::uint32_t a, double exponent);
     std::uint32_t emit(Opcode opcode, std::uint32_t a, std::uint32_t b = 0, std::uint32_t c = 0);
     std::uint8_t degreeOf(const Instruction& instruction) const;
     void lowerBlock(const SolutionBlock& block);
@@ -129,6 +131,7 @@ private:
     std::unordered_map<std::uint32_t, int> delayOf_;
     std::unordered_map<std::uint64_t, std::uint32_t> constants_;    // bits of the value -> register
     std::unordered_map<std::uint32_t, std::uint32_t> reciprocals_;  // of registers of the prelude
+    std::map<std::pair<std::uint32_t, double>, std::uint32_t> powers_;  // by base and exponent, of what is under way
     Program prelude_, program_;
     std::vector<Instruction>* scope_{};  // body of the nonlinear block under way
     Given given_{Given::States};

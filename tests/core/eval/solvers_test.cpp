@@ -158,5 +158,25 @@ TEST(LinearLoop, OfALargeNetKeepsItsDigitsWithSparseFactors) {
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(sum[i], all[i], 1e-13 * std::fabs(all[i])) << i;
 }
 
+TEST(NonlinearLoop, KnowsTheSlopeOfAPowerWhereItsBaseIsNothing) {
+    // the derivative of x^1.5 is a quotient beside x^1.5, and 0 where x is 0
+    const SystemPtr system = test::compileText(
+        "model Power\n  input Real u;\n  output Real x(start = 0);\nequation\n  x^1.5 + x = u;\nend Power;\n", "Power");
+    ASSERT_TRUE(system);
+    EXPECT_NEAR(outputsAt(*system, 2).front(), 1, 1e-12);
+    EXPECT_NEAR(outputsAt(*system, 12).front(), 4, 1e-11);
+    EXPECT_NEAR(outputsAt(*system, 0).front(), 0, 1e-12);
+}
+
+TEST(NonlinearLoop, FollowsARootDownToItsEnd) {
+    // x^0.78 rises without limit at 0: its slope is no number there, and no step may begin with it
+    const SystemPtr system = test::compileText(
+        "model Root\n  input Real u;\n  output Real x(start = 3);\nequation\n  x^0.78 + x = u;\nend Root;\n", "Root");
+    ASSERT_TRUE(system);
+    EXPECT_NEAR(outputsAt(*system, 2).front(), 1, 1e-12);
+    const double x = outputsAt(*system, 0.5).front();
+    EXPECT_NEAR(std::pow(x, 0.78) + x, 0.5, 1e-12);
+}
+
 }  // namespace
 }  // namespace analogon
