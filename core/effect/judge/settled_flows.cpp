@@ -1,6 +1,5 @@
 #include "core/effect/judge/settled_flows.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -12,16 +11,41 @@ namespace {
 
 constexpr double ofNeighbours[SettledFlows::correlations] = {0.2, 0.8, 0.97};  // correlation of neighbouring pieces
 
-/// Root of the correlation of pieces that follow each other by a first-order Markov process.
-Eigen::MatrixXd correlationRoot(Eigen::Index count, double neighbours) {
-    Eigen::MatrixXd c(count, count);
-    for (Eigen::Index i = 0; i < count; ++i)
-        for (Eigen::Index j = 0; j < count; ++j) c(i, j) = std::pow(neighbours, static_cast<double>(std::abs(i - j)));
-    return Eigen::LLT<Eigen::MatrixXd>(c).matrixL();
-}
+/// Root L of the correlation of pieces that follow each other by a first-order Markov process: each is `neighbours`
+/// times the one before it, and what is new in it. L(i, j) = neighbours^(i - j) new(j) below the diagonal and on it.
+class CorrelationRoot {
+public:
+    explicit CorrelationRoot(double neighbours)
+        : neighbours_(neighbours), new_(std::sqrt(1 - neighbours * neighbours)) {}
+
+    /// L' M L of a symmetric M.
+    Eigen::MatrixXd both(const Eigen::MatrixXd& m) const { return after(after(m).transpose()); }
+
+    /// L M.
+    Eigen::MatrixXd before(Eigen::MatrixXd m) const {
+        for (Eigen::Index j = 0; j < m.cols(); ++j)
+            for (Eigen::Index i = 1; i < m.rows(); ++i) m(i, j) = neighbours_ * m(i - 1, j) + new_ * m(i, j);
+        return m;
+    }
+
+private:
+    /// M L.
+    Eigen::MatrixXd after(Eigen::MatrixXd m) const {
+        for (Eigen::Index j = m.cols() - 1; j-- > 0;) m.col(j) += neighbours_ * m.col(j + 1);
+        m.rightCols(m.cols() - 1) *= new_;
+        return m;
+    }
+
+    double neighbours_{}, new_{};
+};
 
 /// Over the rows that both have.
 Eigen::MatrixXd product(const ResponseBlock& a, const ResponseBlock& b) {
+    if (&a == &b) {
+        Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(a.columns.cols(), a.columns.cols());
+        squares.selfadjointView<Eigen::Lower>().rankUpdate(a.columns.transpose());
+        return squares.selfadjointView<Eigen::Lower>();
+    }
     const Eigen::Index begin = std::max(a.begin, b.begin),
                        end = std::min(a.begin + a.columns.rows(), b.begin + b.columns.rows());
     if (end <= begin) return Eigen::MatrixXd::Zero(a.columns.cols(), b.columns.cols());
@@ -77,7 +101,7 @@ std::optional<SettledFlows::Source> SettledFlows::source(std::size_t response, s
 std::optional<SettledFlows::Source> SettledFlows::sourceOf(std::size_t response, double neighbours) const {
     const Eigen::Index count = pieces_ + 1;
     const std::vector<ResponseBlock>& blocks = responses()[response].blocks;
-    const Eigen::MatrixXd root = correlationRoot(count, neighbours);
+    const CorrelationRoot root(neighbours);
     Source source{response, 0, {}, Eigen::VectorXd(count * static_cast<Eigen::Index>(blocks.size()))};
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         stopPoint();
@@ -86,8 +110,8 @@ std::optional<SettledFlows::Source> SettledFlows::sourceOf(std::size_t response,
             if (const auto onto = settled->onto[response].find(blocks[b].recording);
                 onto != settled->onto[response].end())
                 squares -= onto->second * onto->second.transpose();
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(root.transpose() * squares * root);
-        source.turns.push_back(root * eigen.eigenvectors());
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(root.both(squares));
+        source.turns.push_back(root.before(eigen.eigenvectors()));
         source.squares.segment(static_cast<Eigen::Index>(b) * count, count) = eigen.eigenvalues().cwiseMax(0);
     }
     if (!(source.squares.size() > 0 && source.squares.maxCoeff() > 0)) return std::nullopt;
