@@ -88,6 +88,10 @@ double Screened::whitenedScore() const {
     return best;
 }
 
+double LeastPromise::of(const Screened& screened) const {
+    return std::max(share * screened.score(), screened.whitenedScore());
+}
+
 bool Screened::isAbsorbed() const {
     return !probes.empty() &&
            std::all_of(probes.begin(), probes.end(), [](const Probe& p) { return p.plain.visible < leastVisible; });

@@ -42,6 +42,15 @@ struct Screened {
     std::vector<std::string> absorbedBy;  // parameters that imitate it
 };
 
+/// What a candidate has to promise for a refit. Of its score those samples alone count that speak for themselves; the
+/// score with the noise made white reckons with that already.
+struct LeastPromise {
+    double score{};  // decrease of chi-square
+    double share{1};  // of the samples
+    double of(const Screened& screened) const;
+    bool isMetBy(const Screened& screened) const { return of(screened) > score; }
+};
+
 /// The effect in the model that it was screened beside, fixed values set, parameters not yet freed. The candidates of a
 /// round do not keep it: the text of a model in each of them takes more room than all they tell.
 Outcome<Variant> wiredIn(const NullModel& null, const Screened& screened);

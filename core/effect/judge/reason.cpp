@@ -31,7 +31,7 @@ Text whyRefused(const Acceptance& acceptance, double heldOutAsked) {
     return {};
 }
 
-Text whyNotRefitted(const Screened& screened, double least) {
+Text whyNotRefitted(const Screened& screened, const LeastPromise& least) {
     if (!screened.failure.empty()) return phrase("could not be tried: {}", screened.failure);
     if (screened.isAbsorbed())
         return screened.absorbedBy.empty()
@@ -39,8 +39,9 @@ Text whyNotRefitted(const Screened& screened, double least) {
                    : phrase("the data cannot show it: it only shifts {}", listed(screened.absorbedBy));
     if (screened.isWrongSign()) return phrase("would need a strength of the wrong physical sign");
     if (!(screened.score() > 0)) return phrase("explains nothing of what is left");
-    if (const double score = std::max(screened.score(), screened.whitenedScore()); score <= least)
-        return phrase("promises no more than chance may bring (score {:.3g}), and was not refitted", score);
+    if (!least.isMetBy(screened))
+        return phrase("promises no more than chance may bring (score {:.3g}), and was not refitted",
+                      least.of(screened));
     return phrase("others promise more and were refitted instead (score {:.3g})", screened.score());
 }
 

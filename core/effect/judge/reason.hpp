@@ -25,8 +25,8 @@ Text noMoreThanDisturbance();  // see isBorneOut
 /// Of an effect with which the model does not predict clearly better, see isClearlyBetter.
 Text predictsNoBetter(const Prediction& prediction);
 
-/// Of a candidate that was screened and not refitted; what scores less than `least` was not.
-Text whyNotRefitted(const Screened& screened, double least);
+/// Of a candidate that was screened and not refitted; what promises less than `least` was not.
+Text whyNotRefitted(const Screened& screened, const LeastPromise& least);
 
 /// "taken out again: {}"
 Text takenOut(const Text& why);

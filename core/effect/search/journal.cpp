@@ -80,7 +80,7 @@ void Journal::trials(const std::string& step, const NullModel& null, const std::
 void Journal::tried(const NullModel& null, const Round& tried) const {
     model("beside", null, "searched");
     screening(tried.screened);
-    add("threshold", "", {{"evidence", tried.threshold}, {"least_score", tried.leastScore}}, "asked");
+    add("threshold", "", {{"evidence", tried.threshold}, {"least_score", tried.least.score}}, "asked");
     trials("trial", null, tried.trials);
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/parallel.hpp"
 #include "core/effect/judge/judgement.hpp"
 #include "core/effect/judge/reason.hpp"
 #include "core/effect/model/sampling.hpp"
@@ -119,6 +118,11 @@ std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Tr
     return members;
 }
 
+LeastPromise leastPromise(const NullModel& null, double threshold) {
+    if (isNoise(null)) return {equivalenceMargin, 1};
+    return {threshold, independentShare(null, null.fit)};
+}
+
 Round tryAll(SearchContext& search, const NullModel& null) {
     Round round;
     round.screened = screenAll(search, null);
@@ -127,13 +131,9 @@ Round tryAll(SearchContext& search, const NullModel& null) {
     for (const Screened& s : round.screened)
         if (!s.probes.empty() && !s.isAbsorbed()) directions.push_back(s.probes.front().plain.directions);
     const double logRows = std::log(static_cast<double>(null.fit.optimum.residuals.size()));
-    round.leastScore = isNoise(null) ? equivalenceMargin : 0;
-    parallelFor(2, search.options.threads, [&](int i) {
-        if (i == 0)
-            round.trials = tryBest(search, null, round.screened, round.leastScore);
-        else
-            round.threshold = noiseThreshold(directions, logRows, falseAlarmQuantile, 1);
-    });
+    round.threshold = noiseThreshold(directions, logRows, falseAlarmQuantile, 1);
+    round.least = leastPromise(null, round.threshold);
+    round.trials = tryBest(search, null, round.screened, round.least);
     search.journal.tried(null, round);
     return round;
 }

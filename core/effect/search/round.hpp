@@ -28,7 +28,7 @@ struct Round {
     std::optional<std::size_t> chosen;  // of the trials
     std::vector<std::size_t> members;   // of its class
     RefusedTrials refused;
-    double leastScore{};  // for a trial
+    LeastPromise least;  // of a trial
     Acceptance acceptance;
 
     const Candidate& candidate(std::size_t trial) const { return trials[trial].screened.candidate; }
@@ -46,6 +46,10 @@ std::vector<std::size_t> equalPlaces(const SearchContext& search, const NullMode
 
 /// The class of a trial: it, and what the data do not tell from it.
 std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Trial>& trials, std::size_t best);
+
+/// What a trial beside this model has to promise: beside noise what would tell it apart; beside noise with a memory, or
+/// structure, the evidence that a round asks for (`threshold`), which a score that is all explained has to exceed.
+LeastPromise leastPromise(const NullModel& null, double threshold);
 
 /// Screens every candidate and refits those that promise most.
 Round tryAll(SearchContext& search, const NullModel& null);

@@ -285,9 +285,9 @@ struct Promising {
     ScreenedList byScore, byWhitened;  // named effects
     ScreenedList equations;            // by score
 
-    Promising(const std::vector<Screened>& screened, double leastScore) {
+    Promising(const std::vector<Screened>& screened, const LeastPromise& least) {
         for (const Screened& s : screened)
-            if (s.failure.empty() && s.score() > 0 && std::max(s.score(), s.whitenedScore()) > leastScore)
+            if (s.failure.empty() && s.score() > 0 && least.isMetBy(s))
                 byScore.push_back(&s);
         std::stable_sort(byScore.begin(), byScore.end(),
                          [](const Screened* a, const Screened* b) { return a->score() > b->score(); });
@@ -328,8 +328,8 @@ void append(std::vector<Trial>& trials, std::vector<Trial> more) {
 }  // namespace
 
 std::vector<Trial> tryBest(SearchContext& search, const NullModel& null, const std::vector<Screened>& screened,
-                           double leastScore) {
-    const Promising promising(screened, leastScore);
+                           const LeastPromise& least) {
+    const Promising promising(screened, least);
     ScreenedList chosen;
     // proposals compete, but do not take the place of a named effect
     choose(promising.byScore, search.options.refitted, chosen);

@@ -46,9 +46,9 @@ void continueBest(const SearchContext& search, const NullModel& null, std::vecto
 void retryNear(SearchContext& search, const NullModel& null, const std::vector<ParameterValue>& values,
                double sumOfSquares, std::vector<Trial>& trials);
 
-/// Refits the candidates that promise most by either score; where the residual is large against the noise, all. Beside
-/// noise alone, what promises less than would tell it apart (`leastScore`) is not worth a trial. Ranked.
+/// Refits the candidates that promise most by either score; where the residual is large against the noise, all that
+/// promise enough (`least`). Ranked.
 std::vector<Trial> tryBest(SearchContext& search, const NullModel& null, const std::vector<Screened>& screened,
-                           double leastScore);
+                           const LeastPromise& least);
 
 }  // namespace analogon

@@ -124,7 +124,7 @@ void noteAll(SearchContext& search, Node& node, const Round& round) {
                                 : s.isWrongSign()                                   ? Verdict::WrongSign
                                 : round.chosen && s.score() > 2 * equivalenceMargin ? Verdict::Weaker
                                                                                     : Verdict::NotSignificant;
-        note(search, node, s, verdict, whyNotRefitted(s, round.leastScore), std::nullopt, s.failure);
+        note(search, node, s, verdict, whyNotRefitted(s, round.least), std::nullopt, s.failure);
     }
     search.frontier.noted = node.candidates;
 }

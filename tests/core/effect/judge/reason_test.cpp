@@ -54,14 +54,14 @@ Screened screened(double explained, double visible, bool wrongSign = false) {
 TEST(WhyNotRefitted, SaysWhatTheScreeningShowed) {
     Screened failed;
     failed.failure = "no simulation with this effect succeeded";
-    EXPECT_EQ(whyNotRefitted(failed, 0), "could not be tried: no simulation with this effect succeeded");
+    EXPECT_EQ(whyNotRefitted(failed, {}), "could not be tried: no simulation with this effect succeeded");
     Screened absorbed = screened(50, 0);
     absorbed.absorbedBy = {"motor.k", "motor.R"};
-    EXPECT_EQ(whyNotRefitted(absorbed, 0), "the data cannot show it: it only shifts motor.k and motor.R");
-    EXPECT_THAT(whyNotRefitted(screened(50, 1, true), 0).english(), HasSubstr("wrong physical sign"));
-    EXPECT_EQ(whyNotRefitted(screened(0, 1), 0), "explains nothing of what is left");
-    EXPECT_THAT(whyNotRefitted(screened(7, 1), 10).english(), HasSubstr("no more than chance may bring (score 7)"));
-    EXPECT_THAT(whyNotRefitted(screened(7, 1), 0).english(), HasSubstr("others promise more"));
+    EXPECT_EQ(whyNotRefitted(absorbed, {}), "the data cannot show it: it only shifts motor.k and motor.R");
+    EXPECT_THAT(whyNotRefitted(screened(50, 1, true), {}).english(), HasSubstr("wrong physical sign"));
+    EXPECT_EQ(whyNotRefitted(screened(0, 1), {}), "explains nothing of what is left");
+    EXPECT_THAT(whyNotRefitted(screened(7, 1), {10}).english(), HasSubstr("no more than chance may bring (score 7)"));
+    EXPECT_THAT(whyNotRefitted(screened(7, 1), {}).english(), HasSubstr("others promise more"));
 }
 
 }  // namespace

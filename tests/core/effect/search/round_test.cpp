@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/effect/hand_made.hpp"
+#include "tests/core/effect/search/flow_search.hpp"
 #include "tests/core/effect/search/warm_nodes.hpp"
 
 namespace analogon {
@@ -113,6 +114,34 @@ TEST(Round, AsksForMoreThanNoiseBringsOnceInAHundredSearches) {
         above += largest > round.threshold;
     }
     EXPECT_NEAR(above / 4000.0, 0.01, 0.005);
+}
+
+TEST(LeastPromise, CountsTheSamplesThatSpeakForThemselves) {
+    Screened screened;
+    Probe probe;
+    probe.plain.explained = 200;
+    probe.plain.visible = probe.whitened.visible = 1;
+    probe.whitened.explained = 3;
+    screened.probes = {probe};
+    EXPECT_DOUBLE_EQ((LeastPromise{4, 0.01}.of(screened)), 3) << "noise with a memory repeats itself";
+    EXPECT_DOUBLE_EQ((LeastPromise{4, 0.1}.of(screened)), 20);
+    EXPECT_FALSE((LeastPromise{4, 0.01}.isMetBy(screened)));
+    EXPECT_TRUE((LeastPromise{4, 0.1}.isMetBy(screened)));
+}
+
+TEST(LeastPromise, IsWhatTheRoundAsksForBesideNoiseWithAMemory) {
+    WarmSearch white(laggingBody(0)), coloured(laggingBodyBesideAFlow(0, 1, 12));
+    ASSERT_TRUE(isNoise(white.base));
+    EXPECT_EQ(leastPromise(white.base, 4).score, equivalenceMargin);
+    EXPECT_EQ(leastPromise(white.base, 4).share, 1);
+    ASSERT_FALSE(isNoise(coloured.base));
+    EXPECT_EQ(leastPromise(coloured.base, 4).score, 4);
+    EXPECT_LT(leastPromise(coloured.base, 4).share, 0.5);
+    for (const Screened& s : screenAll(coloured.search, coloured.base))
+        for (const Trial& t : tryAll(coloured.search, coloured.base).trials)
+            if (t.screened.candidate.effect.className == s.candidate.effect.className) {
+                EXPECT_TRUE(leastPromise(coloured.base, 4).isMetBy(s)) << s.candidate.effect.kind;
+            }
 }
 
 }  // namespace

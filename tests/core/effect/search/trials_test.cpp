@@ -82,11 +82,11 @@ TEST(TryThese, RefitsInTheOrderOfTheChosenAndCountsTheWork) {
 TEST(TryBest, RanksByEvidenceAndTriesNothingBelowTheLeastScore) {
     WarmSearch of(laggingBody(3));
     const std::vector<Screened> screened = screenAll(of.search, of.base);
-    const std::vector<Trial> trials = tryBest(of.search, of.base, screened, 0);
+    const std::vector<Trial> trials = tryBest(of.search, of.base, screened, {});
     ASSERT_FALSE(trials.empty());
     EXPECT_EQ(trials.front().screened.candidate.effect.kind, "sensor.lag");
     for (std::size_t i = 1; i < trials.size(); ++i) EXPECT_LE(trials[i].evidence, trials[i - 1].evidence);
-    EXPECT_TRUE(tryBest(of.search, of.base, screened, 1e9).empty());
+    EXPECT_TRUE(tryBest(of.search, of.base, screened, {1e9}).empty());
 }
 
 /// A trial that ended so far behind what another one has reached.
@@ -134,7 +134,7 @@ TEST(TryBest, SeesWhoDeservesATrialInFiveIterations) {
     addDraught(task, 0.5);
     WarmSearch of(task, options);
     of.search.catalogue = *effectCatalogue(task.library);
-    const std::vector<Trial> trials = tryBest(of.search, of.base, screenAll(of.search, of.base), 0);
+    const std::vector<Trial> trials = tryBest(of.search, of.base, screenAll(of.search, of.base), {});
     const auto ended = [&](int iterations) {
         return std::count_if(trials.begin(), trials.end(),
                              [&](const Trial& t) { return t.fit.iterations == iterations; });
