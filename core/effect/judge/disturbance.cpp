@@ -421,19 +421,25 @@ BesideDisturbance besideDisturbance(const NullModel& model, const SimulationOpti
 }
 
 BesideDisturbance besideDisturbanceAlso(const BesideDisturbance& alone, const NullModel& with,
-                                        const SimulationOptions& simulation, const Progress& progress,
-                                        std::size_t most) {
-    const BesideDisturbance here = besideDisturbance(with, simulation, progress, most);
-    if (here.misfit < alone.misfit) return here;
+                                        const SimulationOptions& simulation, const Progress& progress, std::size_t most,
+                                        const std::vector<ParameterValue>& offered) {
+    BesideDisturbance best = besideDisturbance(with, simulation, progress, most);
     NullModel there = with;
     takeValues(there.variant.values, alone.values);
-    const Outcome<PreparedTask> prepared = prepareAt(there.variant, there.noise);
-    if (!prepared) return here;
-    there.fit.optimum =
-        linearise(prepared->problem, prepared->problem.startValues(), true, there.fit.plans, simulation, progress);
-    if (!there.fit.optimum.ok || !there.fit.optimum.jacobian.allFinite()) return here;
-    const BesideDisturbance other = besideDisturbance(there, simulation, progress, most);
-    return other.misfit < here.misfit ? other : here;
+    const auto beginThere = [&] {
+        const Outcome<PreparedTask> prepared = prepareAt(there.variant, there.noise);
+        if (!prepared) return;
+        there.fit.optimum =
+            linearise(prepared->problem, prepared->problem.startValues(), true, with.fit.plans, simulation, progress);
+        if (!there.fit.optimum.ok || !there.fit.optimum.jacobian.allFinite()) return;
+        const BesideDisturbance other = besideDisturbance(there, simulation, progress, most);
+        if (other.misfit < best.misfit) best = other;
+    };
+    if (!(best.misfit < alone.misfit)) beginThere();
+    if (offered.empty() || best.misfit < alone.misfit - equivalenceMargin) return best;
+    takeValues(there.variant.values, offered);
+    beginThere();
+    return best;
 }
 
 double evidenceBeside(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int more) {

@@ -120,10 +120,11 @@ BesideDisturbance besideDisturbance(const NullModel& model, const SimulationOpti
 
 /// The same of a model with an effect, from where least squares came to. The flow may have led that astray: an effect
 /// that is nothing is as likely as the model without it, so where a descent ends above that (`alone`), another begins
-/// where that is likeliest.
+/// where that is likeliest; where the effect still gains nothing, one more at what is `offered` for its parameters.
 BesideDisturbance besideDisturbanceAlso(const BesideDisturbance& alone, const NullModel& with,
                                         const SimulationOptions& simulation, const Progress& progress,
-                                        std::size_t most = mostDisturbances);
+                                        std::size_t most = mostDisturbances,
+                                        const std::vector<ParameterValue>& offered = {});
 
 /// Decrease of BIC from one model to another that has `more` parameters, each beside its disturbance; of `rows`
 /// samples.

@@ -11,6 +11,7 @@ namespace analogon {
 using namespace threshold::judgement;
 using threshold::acceptance::clearEvidence;
 using threshold::acceptance::farMore;
+using threshold::prediction::mostSamplesOfDelay;
 
 double pValue(double explained, int dof, std::size_t tried) {
     if (!(explained > 0) || dof < 1) return 1;
@@ -70,6 +71,12 @@ bool isBorneOut(const BesideDisturbance& without, const BesideDisturbance& with,
 
 bool isLikelier(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int freed) {
     return evidenceBeside(without, with, rows, freed) > leastLikelier;
+}
+
+bool isLongDeadTime(const PlacedEffect& placed, const FitResult& fit, double interval) {
+    if (faultOf(placed.effect) != "delay") return false;
+    const FitEstimate* delay = fit.find(placed.freed.front().name);
+    return delay != nullptr && delay->value > mostSamplesOfDelay * interval;
 }
 
 bool isAtBound(const PlacedEffect& placed, const FitResult& fit) {

@@ -66,6 +66,10 @@ bool isBeyondDoubt(double evidence);
 /// leaves above the noise: in the shadow of something large that has no name, many an effect passes for a part of it.
 bool outweighsRest(double chi2Decrease, const NullModel& null, double share);
 
+/// Whether an effect is a dead time of more than a few samples (`interval` [s] apart). Heat and flows come late by
+/// storage as a rule, and what is stored smooths them, too.
+bool isLongDeadTime(const PlacedEffect& placed, const FitResult& fit, double interval);
+
 /// Whether the strength rests at a bound, or a shape at the low end of its reach: the effect then stands for something
 /// else.
 bool isAtBound(const PlacedEffect& placed, const FitResult& fit);

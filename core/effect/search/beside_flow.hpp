@@ -22,4 +22,9 @@ struct LikeliestBesideFlow {
 /// The round's choice is the node's new effect then.
 LikeliestBesideFlow withLikeliestBesideFlow(SearchContext& search, const Node& node, Round& round);
 
+/// What was found beside a flow as the one effect of the model as given (`base`), where it is clearly likelier beside
+/// its flow than all the effects of a node beside theirs: least squares may have begun that with another one. Nothing:
+/// it is not, or was not sought, or the node has that effect.
+std::optional<Node> likelierThan(const SearchContext& search, const NullModel& base, const Node& node);
+
 }  // namespace analogon

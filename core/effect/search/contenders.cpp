@@ -9,6 +9,7 @@
 #include "core/effect/model/model_state.hpp"
 #include "core/effect/model/sampling.hpp"
 #include "core/effect/search/context.hpp"
+#include "core/effect/search/flow_ranking.hpp"
 #include "core/effect/search/refine.hpp"
 #include "core/effect/search/trials.hpp"
 #include "core/effect/search/verdicts.hpp"
@@ -20,12 +21,6 @@ namespace analogon {
 using namespace threshold::prediction;
 using threshold::acceptance::leastShare;
 using threshold::judgement::asMuch;
-
-bool isLongDeadTime(const PlacedEffect& placed, const FitResult& fit, double interval) {
-    if (faultOf(placed.effect) != "delay") return false;
-    const FitEstimate* delay = fit.find(placed.freed.front().name);
-    return delay != nullptr && delay->value > mostSamplesOfDelay * interval;
-}
 
 bool mayBeIndicated(const PlacedEffect& placed) {
     return placed.effect.proposal.empty() && placed.freed.size() <= mostFreed;
@@ -78,6 +73,23 @@ std::vector<Contender> nearlyBest(std::vector<Contender> contenders) {
     return contenders;
 }
 
+/// Of those that predict nearly as well with as many parameters as the one that was chosen, and are met as often: the
+/// one that is clearly likelier than it beside a flow that nobody measured, which leads least squares astray; else that
+/// one.
+Contender likeliestOf(const SearchContext& search, const NullModel& null, const std::vector<Contender>& alike,
+                      const Contender& chosen, const std::vector<Trial>& trials) {
+    const auto order = [&](const Contender& c) {
+        const Trial& t = trials[c.trial];
+        return std::pair(t.freed(), plausibility(t.screened.candidate.effect));
+    };
+    std::vector<std::size_t> rivals;
+    for (const Contender& c : alike)
+        if (order(c) == order(chosen)) rivals.push_back(c.trial);
+    const std::optional<std::size_t> likelier = clearlyLikelier(search, null, trials, rivals, chosen.trial);
+    const auto it = std::find_if(alike.begin(), alike.end(), [&](const Contender& c) { return c.trial == likelier; });
+    return it == alike.end() ? chosen : *it;
+}
+
 }  // namespace
 
 void chooseAmong(const SearchContext& search, const NullModel& null, const std::vector<Contender>& contenders,
@@ -91,8 +103,9 @@ void chooseAmong(const SearchContext& search, const NullModel& null, const std::
         return std::tuple(isLate, first == First::Best ? missed : 0, t.freed(),
                           plausibility(t.screened.candidate.effect), missed);
     };
-    const Contender& chosen = *std::min_element(
+    Contender chosen = *std::min_element(
         alike.begin(), alike.end(), [&](const Contender& a, const Contender& b) { return order(a) < order(b); });
+    if (first == First::Simplest) chosen = likeliestOf(search, null, alike, chosen, round.trials);
     round.chosen = chosen.trial;
     round.members.clear();
     for (const Contender& c : alike) round.members.push_back(c.trial);

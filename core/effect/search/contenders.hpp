@@ -14,10 +14,6 @@ namespace analogon {
 class Journal;
 class SearchContext;
 
-/// Whether an effect is a dead time of more than a few samples (`interval` [s] apart). Heat and flows come late by
-/// storage as a rule, and what is stored smooths them, too.
-bool isLongDeadTime(const PlacedEffect& placed, const FitResult& fit, double interval);
-
 /// Whether an effect is a name that may be indicated: with few enough parameters not to follow any course by its shape.
 bool mayBeIndicated(const PlacedEffect& placed);
 
@@ -36,7 +32,8 @@ std::vector<Contender> contendersOf(const SearchContext& search, const NullModel
                                     const std::vector<Trial>& trials);
 
 /// The simplest of those that predict nearly as well as the best stands for all of them: the round's choice, with the
-/// others as the members of its class. Where one has failed, what seems to predict best goes before the simplest.
+/// others as the members of its class; of those that are as simple and met as often, one that is clearly likelier
+/// beside a flow that nobody measured. Where one has failed, what seems to predict best goes before the simplest.
 enum class First { Simplest, Best };
 void chooseAmong(const SearchContext& search, const NullModel& null, const std::vector<Contender>& contenders,
                  First first, Round& round);

@@ -161,9 +161,16 @@ std::optional<Node> namesOf(SearchContext& search, const Node& node, const Node&
 
 }  // namespace
 
-void indicate(SearchContext& search, Node& node, const std::vector<Node>& ends) {
+void indicate(SearchContext& search, const NullModel& base, Node& node, const std::vector<Node>& ends) {
     if (isNoise(node.null) || isColouredNoise(search, node.null) || search.progress.stopRequested()) return;
     search.frontier.isIndicating = true;
+    if (std::optional<Node> likelier = likelierThan(search, base, node)) {
+        keepWhatPredicts(search, *likelier);
+        if (!likelier->steps.empty() && !search.progress.stopRequested()) {
+            node = std::move(*likelier);
+            return;
+        }
+    }
     Node best = grownFrom(search, node);
     search.journal.model("indicate", best.null, "one by one");
     Visited visited(best);

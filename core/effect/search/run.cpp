@@ -323,7 +323,7 @@ void Run::concludeBestPath() {
         end_.node = std::move(other);
         end_.conclusion = std::move(next);
     }
-    if (courses.areEmpty() && end_.conclusion.proposed.empty()) indicate(search_, end_.node, ends);
+    if (courses.areEmpty() && end_.conclusion.proposed.empty()) indicate(search_, base, end_.node, ends);
 }
 
 /// Start values, clocks and held parameters are asked once more beside the effects that were found; and what to run

@@ -311,6 +311,18 @@ TEST_F(BodyInADraught, IsSoughtFromWhereTheModelWithoutAnEffectIsLikeliestWhereA
     EXPECT_NEAR(besideDisturbanceAlso(alone, astray, {}, {}).misfit, alone.misfit, 1);
 }
 
+TEST_F(BodyInADraught, IsSoughtFromWhatIsOfferedWhereAnEffectGainsNothingElsewhere) {
+    const NullModel model = fitted();
+    ASSERT_EQ(model.fit.values.size(), 2);
+    BesideDisturbance alone = besideDisturbance(model, {}, {});
+    const NullModel astray = at(model, {0.1, 10});
+    alone.values = astray.variant.values;  // no better a beginning
+    EXPECT_GT(besideDisturbanceAlso(alone, astray, {}, {}).misfit, alone.misfit + 100);
+    const std::vector<ParameterValue> offered{{"body.C", -1, capacity}, {"joint.G", -1, conductance}};
+    const BesideDisturbance sought = besideDisturbanceAlso(alone, astray, {}, {}, mostDisturbances, offered);
+    EXPECT_NEAR(sought.misfit, alone.misfit, 3);
+}
+
 TEST(IsFallen, IsWhatIsWorthAnotherStep) {
     EXPECT_TRUE(isFallen(100, 97.9));
     EXPECT_FALSE(isFallen(100, 98.1));

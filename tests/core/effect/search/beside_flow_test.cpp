@@ -3,44 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <random>
-
 #include "core/effect/judge/judgement.hpp"
 #include "core/effect/search/best_path.hpp"
 #include "core/effect/search/contenders.hpp"
 #include "core/effect/search/indicate.hpp"
 #include "core/effect/search/path.hpp"
-#include "tests/core/effect/search/warm_search.hpp"
+#include "tests/core/effect/search/flow_search.hpp"
 
 namespace analogon {
 namespace {
-
-/// A body behind a sensor that lags, into which a heat flow goes that nobody recorded and that changes within 2 s.
-/// `size`: root mean square [W].
-EstimationTask laggingBodyBesideAFlow(double lag, double size, unsigned seed) {
-    EstimationTask task = laggingBody(lag);
-    std::mt19937 random(seed);
-    std::normal_distribution<double> normal;
-    Recording& r = task.recordings.edit().front();
-    const double step = r.time[1] - r.time[0], keeps = std::exp(-step / 2);
-    double flow = 0, body = 0, sensor = 0;
-    for (Eigen::Index k = 0; k < r.outputs.cols(); ++k) {
-        r.outputs(0, k) += lag > 0 ? sensor : body;
-        flow = keeps * flow + std::sqrt(1 - keeps * keeps) * size * normal(random);
-        for (int i = 0; i < 100; ++i) {
-            if (lag > 0) sensor += step / 100 * (body - sensor) / lag;
-            body += step / 100 * (flow - 0.2 * body) / 4;
-        }
-    }
-    return task;
-}
-
-std::string kindsOf(const Node& node) {
-    std::string kinds;
-    for (const PlacedEffect& e : node.null.variant.effects) kinds += e.effect.kind;
-    return kinds;
-}
 
 TEST(LikeliestBesideFlow, IsTheEffectThatPredictionAloneDoesNotTell) {
     for (const unsigned seed : {3, 4}) {
@@ -99,7 +70,7 @@ TEST(LikeliestBesideFlow, IsSoughtOnceAndToldByASearchThatIsInterrupted) {
 
     const double tried = of.search.work.done;
     Node node{of.base, {}};
-    indicate(of.search, node, {});
+    indicate(of.search, of.base, node, {});
     EXPECT_EQ(kindsOf(node), "sensor.lag");
     EXPECT_EQ(of.search.work.done, tried) << "no trial is made again";
 
@@ -125,9 +96,37 @@ TEST(SoughtFirst, IsBesideAModelThatLeavesTheSameAtAnyLevelOfNoise) {
 TEST(LikeliestBesideFlow, IsIndicatedWhereNothingPredictsClearlyBetter) {
     WarmSearch of(laggingBodyBesideAFlow(0.6, 1, 3));
     Node node{of.base, {}};
-    indicate(of.search, node, {});
+    indicate(of.search, of.base, node, {});
     ASSERT_EQ(kindsOf(node), "sensor.lag");
     ASSERT_TRUE(node.steps.front().prediction);
+}
+
+/// An effect that least squares may have begun with beside a flow.
+class LikelierThan : public testing::Test {
+protected:
+    LikelierThan() : of(laggingBodyBesideAFlow(0.6, 1, 3)) {
+        seekLikeliest(of.search, of.base, tryAll(of.search, of.base));
+    }
+    WarmSearch of;
+};
+
+TEST_F(LikelierThan, TheEffectsOfANodeIsWhatIsClearlyLikelierAlone) {
+    const std::optional<Node> likelier = likelierThan(of.search, of.base, nodeWith(of, "sensor.offset"));
+    ASSERT_TRUE(likelier);
+    EXPECT_EQ(kindsOf(*likelier), "sensor.lag");
+    EXPECT_FALSE(likelierThan(of.search, of.base, nodeWith(of, "sensor.lag"))) << "the node has it";
+    EXPECT_FALSE(likelierThan(of.search, of.base, Node{of.base, {}})) << "there is nothing to take the place of";
+    of.search.frontier.best.first.residuals *= -1;
+    EXPECT_FALSE(likelierThan(of.search, of.base, nodeWith(of, "sensor.offset"))) << "sought beside another model";
+}
+
+TEST_F(LikelierThan, TheEffectsOfANodeIsIndicatedInTheirPlace) {
+    Node node = nodeWith(of, "sensor.offset");
+    indicate(of.search, of.base, node, {});
+    EXPECT_EQ(kindsOf(node), "sensor.lag");
+    ASSERT_EQ(node.steps.size(), 1u);
+    ASSERT_TRUE(node.steps.front().prediction);
+    EXPECT_TRUE(node.steps.front().prediction->besideFlow);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ TEST(Indicate, AddsWhatPredictsBetterThoughStructureRemains) {
     WarmSearch of(laggingBodyInADraught(3, 0.1));
     ASSERT_FALSE(isNoise(of.base));
     Node node{of.base, {}};
-    indicate(of.search, node, {});
+    indicate(of.search, of.base, node, {});
     ASSERT_EQ(node.steps.size(), 1u);
     EXPECT_EQ(node.null.variant.effects.front().effect.kind, "sensor.lag");
     ASSERT_TRUE(node.steps.front().prediction);
@@ -35,7 +35,7 @@ TEST(Indicate, AddsNothingThatADisturbanceFeigns) {
     for (const unsigned seed : {11, 12, 13}) {
         WarmSearch of(laggingBodyInADraught(0, 0.1, seed));
         Node node{of.base, {}};
-        indicate(of.search, node, {});
+        indicate(of.search, of.base, node, {});
         EXPECT_TRUE(node.steps.empty()) << node.null.variant.effects.front().effect.kind << ", seed " << seed;
     }
 }
@@ -44,7 +44,7 @@ TEST(Indicate, LeavesAModelThatLeavesNoiseAsItIs) {
     WarmSearch of(laggingBody(0));
     ASSERT_TRUE(isNoise(of.base));
     Node node{of.base, {}};
-    indicate(of.search, node, {});
+    indicate(of.search, of.base, node, {});
     EXPECT_TRUE(node.steps.empty());
 }
 
@@ -54,7 +54,7 @@ TEST(Indicate, PrefersAStorageToTheDeadTimeOfAnEnd) {
     const Node end = nodeWith(of, "sensor.delay");
     ASSERT_EQ(end.steps.size(), 1u);
     Node node{of.base, {}};
-    indicate(of.search, node, {end});
+    indicate(of.search, of.base, node, {end});
     ASSERT_EQ(node.steps.size(), 1u);
     EXPECT_EQ(node.null.variant.effects.front().effect.kind, "sensor.lag");
 }
