@@ -127,7 +127,7 @@ TEST_F(Knobs, ShowThirtyPicturesASecond) {
     ASSERT_TRUE(QTest::qWaitFor(isKnown, 20000)) << document().title().toStdString();
     window.findChild<ParameterPanel*>()->pointAt("motor.k");
     ASSERT_TRUE(knob().isVisible());
-    expectThirtyPicturesASecond("water pump", 50);  // of two outputs, near 33 where nothing else works
+    expectThirtyPicturesASecond("water pump", 33);  // of two outputs
     document().undoStack().setClean();
 }
 

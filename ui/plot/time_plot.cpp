@@ -320,11 +320,13 @@ void TimePlot::paintTrace(QPainter& painter, std::size_t trace) const {
     if (!time_) return;
     const Trace& shown = traces_[trace];
     QPen pen(traceColour(shown.role, palette()), shown.role == TraceRole::Measured ? 1.0 : 1.6);
-    pen.setJoinStyle(Qt::RoundJoin);
     const double ratio = painter.device()->devicePixelRatioF();
     const QRectF area = this->area();
     const int count = std::max(1, static_cast<int>(area.width() * ratio));
     const auto [begin, end] = samplesWithin(*time_, from_, to_);
+    // Where corners lie a few pixels apart nobody sees a round one, and rounding them is most of the work of a line.
+    const bool isDense = 4 * (end - begin) > static_cast<std::size_t>(count);
+    pen.setJoinStyle(isDense ? Qt::BevelJoin : Qt::RoundJoin);
     if (end - begin <= static_cast<std::size_t>(count)) {
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setPen(pen);
