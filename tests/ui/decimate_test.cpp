@@ -81,6 +81,15 @@ TEST(NiceStep, IsOneTwoOrFiveTimesAPowerOfTen) {
     EXPECT_DOUBLE_EQ(niceStep(120, 10), 20);
     EXPECT_DOUBLE_EQ(niceStep(0.007, 4), 0.002);
     EXPECT_DOUBLE_EQ(niceStep(0, 4), 1);
+    EXPECT_DOUBLE_EQ(niceStep(0.4 * 0.05, 1), 0.02) << "what is off by rounding alone is no larger range";
+}
+
+TEST(LabelStep, LeavesRoomForTwoLabelsAtLeast) {
+    for (double half = 0.0101; half < 1000; half *= 1.07) {  // as a residual has it, around 0
+        const double step = labelStep(-half, half, 2);
+        EXPECT_GE(std::floor(half / step) - std::ceil(-half / step), 1) << half;
+        EXPECT_GT(step, half / 5) << "no more labels than are needed: " << half;
+    }
 }
 
 }  // namespace

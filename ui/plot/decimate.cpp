@@ -91,9 +91,16 @@ double niceStep(double range, int count) {
     if (!(range > 0) || !std::isfinite(range) || count < 1) return 1;
     const double rough = range / count;
     const double power = std::pow(10.0, std::floor(std::log10(rough)));
+    constexpr double rounded = 1 - 1e-9;  // 0.4 * 0.05 is 0.02
     for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= rough) return factor * power;
+        if (factor * power >= rough * rounded) return factor * power;
     return 10 * power;
+}
+
+double labelStep(double low, double high, int count) {
+    double step = niceStep(high - low, count);
+    for (int k = 0; k < 4 && std::floor(high / step) - std::ceil(low / step) < 1; ++k) step = niceStep(0.4 * step, 1);
+    return step;
 }
 
 }  // namespace analogon::ui

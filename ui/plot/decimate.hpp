@@ -49,4 +49,7 @@ std::vector<ValueRange> columnRanges(std::span<const double> time, std::span<con
 /// Distance of grid lines: 1, 2 or 5 times a power of ten, about `count` in the range.
 double niceStep(double range, int count);
 
+/// The same for an axis with labels: finer where only one label would stand in the range, which tells no scale.
+double labelStep(double low, double high, int count);
+
 }  // namespace analogon::ui

@@ -275,10 +275,8 @@ void TimePlot::paintGrid(QPainter& painter) const {
     const auto ticks = [](double low, double high, double step, const auto& draw) {
         for (double k = std::ceil(low / step); k * step <= high; ++k) draw(k * step);
     };
-    double valueStep = niceStep(high_ - low_, std::max(2, static_cast<int>(area.height() / (1.4 * metrics.height()))));
-    // one label alone tells no scale
-    for (int k = 0; k < 4 && std::floor(high_ / valueStep) - std::ceil(low_ / valueStep) < 1; ++k)
-        valueStep = niceStep(0.4 * valueStep, 1);
+    const double valueStep =
+        labelStep(low_, high_, std::max(2, static_cast<int>(area.height() / (1.4 * metrics.height()))));
     // In a low plot the ends say the scale; what stands between them only where there is room.
     const double lowest = yAt(std::ceil(low_ / valueStep) * valueStep),
                  highest = yAt(std::floor(high_ / valueStep) * valueStep), room = 0.9 * metrics.height();
