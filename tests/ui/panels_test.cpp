@@ -1406,6 +1406,7 @@ TEST_F(Panels, OpensTheGuideWithItsPictures) {
     ASSERT_TRUE(panel<GuidePage>());
     EXPECT_TRUE(panel<GuidePage>()->isVisible());
     EXPECT_TRUE(panel<GuidePage>()->browser()->toPlainText().contains("Discover what is missing"));
+    EXPECT_EQ(panel<GuidePage>()->browser()->horizontalScrollBar()->maximum(), 0) << "no line is wider than the page";
     // pictures come a moment later, where room was left for them
     const auto isRead = [&] {
         const QVariant found = panel<GuidePage>()->browser()->document()->resource(QTextDocument::ImageResource,

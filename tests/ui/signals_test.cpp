@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLineSeries>
 #include <QPainter>
 #include <QToolButton>
 #include <QTreeView>
@@ -109,6 +110,27 @@ TEST(SignalChart, LosesNoPeakAndFollowsWhatIsVisible) {
     chart.setTimeRange(0, 50'000);
     EXPECT_LT(chart.valueRange().second, 2);
     EXPECT_FALSE(chart.hasRightAxis());
+}
+
+/// Samples that are drawn by columns: a slope stays one line, without teeth.
+TEST(SignalChart, GoesDownASlopeWithoutGoingUpAgain) {
+    std::vector<double> time(100'000), values(100'000);
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        time[i] = static_cast<double>(i);
+        values[i] = -time[i];
+    }
+    SignalChart chart;
+    chart.resize(800, 300);
+    chart.setLines({{{},
+                     Qt::blue,
+                     std::make_shared<const SignalData>(
+                         SignalData{std::make_shared<const std::vector<double>>(time), Series(values), "V", {}})}});
+    chart.setTimeRange(0, 99'999);
+    const auto* series = qobject_cast<QLineSeries*>(chart.chart()->series().front());
+    ASSERT_TRUE(series && series->count() > 600 && series->count() < 2000);
+    int turns = 0;
+    for (int i = 2; i < series->count(); ++i) turns += series->at(i).y() > series->at(i - 1).y() + 1e-6 ? 1 : 0;
+    EXPECT_EQ(turns, 0) << "of " << series->count() << " points";
 }
 
 /// Signals of the shipped study, in the window.

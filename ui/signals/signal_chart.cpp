@@ -7,6 +7,7 @@
 #include <QValueAxis>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ui/plot/time_keys.hpp"
 #include "ui/signals/chart_axis.hpp"
@@ -188,13 +189,15 @@ QList<QPointF> SignalChart::pointsOf(std::size_t line, ValueRange& range) const 
         } else {
             const double width = (to_ - from_) / columns;
             double t = from_ + width / 2;
-            bool isUp = false;  // a column is entered where the one before was left
+            // A column is entered near where the one before was left: a slope is one line, and noise a row of bars.
+            double last = std::numeric_limits<double>::quiet_NaN();
             for (const ValueRange& column : columnRanges(time, values, extents_[line], from_, to_, columns)) {
                 if (!column.isEmpty()) {
                     range.add(column);
-                    points << QPointF(t, isUp ? column.high : column.low);
-                    if (column.high > column.low) points << QPointF(t, isUp ? column.low : column.high);
-                    isUp = !isUp;
+                    const bool isDown = std::abs(column.high - last) < std::abs(column.low - last);
+                    points << QPointF(t, isDown ? column.high : column.low);
+                    last = isDown ? column.low : column.high;
+                    if (column.high > column.low) points << QPointF(t, last);
                 }
                 t += width;
             }

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QResizeEvent>
 #include <QScrollBar>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -97,6 +98,13 @@ private:
                 QTimer::singleShot(0, this, &Browser::readNext);
             });
     }
+    /// Of code, too: else one long line makes all of the page wider than its column.
+    static void breakLongLines(QTextDocument& document) {
+        QTextBlockFormat breaking;
+        breaking.setNonBreakableLines(false);
+        for (QTextBlock block = document.begin(); block.isValid(); block = block.next())
+            if (block.blockFormat().nonBreakableLines()) QTextCursor(block).mergeBlockFormat(breaking);
+    }
     void layOut() {
         laidOutFor_ = viewport()->width();
         const QScrollBar& bar = *verticalScrollBar();
@@ -106,6 +114,7 @@ private:
         next->setDefaultFont(font());
         next->setDocumentMargin(6 * style::unit);
         next->setMarkdown(text_);
+        breakLongLines(*next);
         setDocument(next);
         delete shown_;
         shown_ = next;
