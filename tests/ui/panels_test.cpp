@@ -1727,7 +1727,7 @@ TEST_F(Panels, SurvivesRandomEvents) {
         const QString where = QStringLiteral("%1 %2").arg(target->metaObject()->className(), target->objectName());
         const auto kind = random() % 6;
         const Qt::Key key = kind > 3 ? keys[random() % std::size(keys)] : Qt::Key_unknown;
-        const double begin = test::ownMilliseconds();
+        const double begin = test::ownMilliseconds(), worked = test::workedMilliseconds();
         switch (kind) {
             case 0:
                 QTest::mouseClick(target, Qt::LeftButton, modifiers, point());
@@ -1753,8 +1753,9 @@ TEST_F(Panels, SurvivesRandomEvents) {
         longest = std::max(longest, reaction);
         if (reaction > 50) {
             ++felt;
-            std::cout << "event " << i << ": " << reaction << " ms, kind " << kind << " on " << where.toStdString()
-                      << ", key " << QKeySequence(key).toString().toStdString() << " modifiers " << modifiers << ", "
+            std::cout << "event " << i << ": " << reaction << " ms, " << test::workedMilliseconds() - worked
+                      << " of them at work, kind " << kind << " on " << where.toStdString() << ", key "
+                      << QKeySequence(key).toString().toStdString() << " modifiers " << modifiers << ", "
                       << document().diagram().blocks.size() << " blocks\n";
         }
         // Select all and duplicate, again and again: beyond what a diagram is made for.
