@@ -351,6 +351,27 @@ TEST_F(Signals, AreTakenOutMovedAndBroughtBackByUndo) {
     EXPECT_EQ(plots().layout().axes.size(), 1u);
 }
 
+TEST_F(Signals, OfTheOtherAxesStayAsTheyAreDrawnWhereOneIsClosed) {
+    openAndWait();
+    for (const char* name : {"u_heater", "T_exhaust", "i_heater", "p_ambient"})
+        plots().show({{SignalKind::Recorded, recording(), name}});
+    const std::vector<SignalStrip*> before = plots().strips();
+    ASSERT_EQ(before.size(), 4u);
+    before[1]->chart()->setFocus();
+    QTest::keyClick(before[1]->chart(), Qt::Key_Delete);
+    EXPECT_EQ(plots().strips(), (std::vector<SignalStrip*>{before[0], before[2], before[3]})) << "none is made anew";
+    EXPECT_TRUE(before[2]->chart()->hasFocus()) << "the next Del closes the next one";
+    QTest::mouseClick(before[0]->findChild<QToolButton*>("strip-close"), Qt::LeftButton);
+    EXPECT_EQ(plots().strips(), (std::vector<SignalStrip*>{before[2], before[3]}));
+    EXPECT_TRUE(plots().strips()[0]->legendText().contains("i_heater"));
+    EXPECT_FALSE(plots().strips()[0]->findChild<QToolButton*>("strip-up")->isEnabled()) << "the first now";
+    document().undoStack().undo();
+    document().undoStack().undo();
+    ASSERT_EQ(plots().strips().size(), 4u);
+    EXPECT_TRUE(plots().strips()[1]->legendText().contains("T_exhaust"));
+    EXPECT_TRUE(plots().strips()[2]->legendText().contains("i_heater"));
+}
+
 TEST_F(Signals, AreWorkedOutByFormulasWithTheirUnits) {
     openAndWait();
     browser().formulaField()->setFocus();

@@ -1,5 +1,6 @@
 #include "ui/signals/plot_area.hpp"
 
+#include <QApplication>
 #include <QDragEnterEvent>
 #include <QLabel>
 #include <QMimeData>
@@ -7,6 +8,7 @@
 #include <QStackedLayout>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "core/study/recorded.hpp"
 #include "ui/document/document.hpp"
@@ -122,6 +124,17 @@ void PlotArea::move(int axis, int by) {
     strips_[static_cast<std::size_t>(to)]->chart()->setFocus();
 }
 
+/// The keys go on with the axis that takes its place.
+void PlotArea::closeAxis(int axis) {
+    if (axis >= static_cast<int>(strips_.size())) return;
+    const bool hasFocus = strips_[static_cast<std::size_t>(axis)]->isAncestorOf(QApplication::focusWidget());
+    PlotLayout layout = layout_;
+    layout.axes.erase(layout.axes.begin() + axis);
+    change(std::move(layout), tr("Remove an axis of the plots"));
+    if (hasFocus && !strips_.empty())
+        strips_[std::min(static_cast<std::size_t>(axis), strips_.size() - 1)]->chart()->setFocus();
+}
+
 std::shared_ptr<const SignalData> PlotArea::moving(const SignalRef& reference, const SignalData& shown) const {
     const SimulatedTraces* traces = document_.liveTraces();
     if (!traces && document_.preview()) traces = &document_.preview()->traces;
@@ -172,7 +185,9 @@ QColor PlotArea::colourOf(const SignalRef& reference, const std::set<QString>& t
 }
 
 void PlotArea::takeLayout() {
-    layout_ = document_.isOpen() ? plotLayoutOf(document_.study().extraJson) : PlotLayout{};
+    const PlotLayout before =
+        std::exchange(layout_, document_.isOpen() ? plotLayoutOf(document_.study().extraJson) : PlotLayout{});
+    dropClosed(before);
     makeStrips();
     pages_->setCurrentWidget(strips_.empty() ? empty_ : page_);
     refresh();
@@ -182,10 +197,26 @@ int PlotArea::axisOf(const SignalStrip* strip) const {
     return static_cast<int>(std::find(strips_.begin(), strips_.end(), strip) - strips_.begin());
 }
 
+/// An axis that is closed takes its own strip with it: what is drawn in the others need not be drawn anew.
+void PlotArea::dropClosed(const PlotLayout& before) {
+    std::vector<SignalStrip*> kept, closed;
+    for (std::size_t k = 0; k < strips_.size(); ++k) {
+        const bool stays = k < before.axes.size() && kept.size() < layout_.axes.size() &&
+                           before.axes[k].traces == layout_.axes[kept.size()].traces;
+        (stays ? kept : closed).push_back(strips_[k]);
+    }
+    if (kept.size() != layout_.axes.size()) return;  // more has changed
+    for (SignalStrip* strip : closed) {
+        strip->hide();
+        strip->deleteLater();  // it may be the one that asked for it
+    }
+    strips_ = std::move(kept);
+}
+
 void PlotArea::makeStrips() {
     while (strips_.size() > layout_.axes.size()) {
         strips_.back()->hide();
-        strips_.back()->deleteLater();  // it may be the one that asked for it
+        strips_.back()->deleteLater();
         strips_.pop_back();
     }
     while (strips_.size() < layout_.axes.size()) {
@@ -211,11 +242,7 @@ void PlotArea::makeStrips() {
             layout.axes[static_cast<std::size_t>(axisOf(strip))].view = view;
             change(std::move(layout), tr("Change the view of an axis"));
         });
-        connect(strip, &SignalStrip::closeWanted, this, [this, strip] {
-            PlotLayout layout = layout_;
-            layout.axes.erase(layout.axes.begin() + axisOf(strip));
-            change(std::move(layout), tr("Remove an axis of the plots"));
-        });
+        connect(strip, &SignalStrip::closeWanted, this, [this, strip] { closeAxis(axisOf(strip)); });
         column_->addWidget(strip, 1);
         strip->setMarks(marks_);
         strip->setTimeRange(from_, to_);

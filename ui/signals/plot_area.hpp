@@ -43,6 +43,7 @@ protected:
 private:
     void change(PlotLayout layout, const QString& what);
     void takeLayout();
+    void dropClosed(const PlotLayout& before);
     void makeStrips();
     void refresh();
     void setTimeRange(double from, double to);
@@ -50,6 +51,7 @@ private:
     void mark(double time);
     void remove(int axis, int trace);
     void move(int axis, int by);
+    void closeAxis(int axis);
     /// Of an output while a parameter is turned or a fit runs; null: nothing moves.
     std::shared_ptr<const SignalData> moving(const SignalRef& reference, const SignalData& shown) const;
     QString unitOf(const SignalRef& reference);
