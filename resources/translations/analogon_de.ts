@@ -5753,6 +5753,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
 <context>
     <name>ResultPanel</name>
     <message>
+        <source>%1 by %2</source>
+        <translation>%1 durch %2</translation>
+    </message>
+    <message>
         <source>Unit</source>
         <translation>Einheit</translation>
     </message>

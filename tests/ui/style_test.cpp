@@ -3,11 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QHeaderView>
 #include <QImage>
 #include <QPainter>
 #include <QStyle>
 #include <QStyleOption>
+#include <QTreeWidget>
 #include <cstdlib>
+
+#include "ui/style/breakable.hpp"
 
 namespace analogon::ui::style {
 namespace {
@@ -61,6 +65,29 @@ TEST(Style, LinesAreSeenOnALightAndOnADarkGround) {
             << "between the cells of a table";
     }
     apply(*qApp, Theme::Light);
+}
+
+/// The name of a connector has no blank in it, and breaks behind its dot where it has no room on one line.
+TEST(Style, NamesInAColumnThatWrapsAreNotCut) {
+    QTreeWidget table;
+    table.setColumnCount(2);
+    table.header()->setSectionResizeMode(QHeaderView::Fixed);
+    const QString name = "electricMechanical.flange";
+    auto* item = new QTreeWidgetItem(&table, {name, "x"});
+    wrapColumn(&table, 0);
+    table.setRootIsDecorated(false);
+    table.show();
+    const auto linesAt = [&](int width) {
+        table.setColumnWidth(0, width);
+        table.doItemsLayout();
+        return table.visualItemRect(item).height() / table.fontMetrics().height();
+    };
+    const int whole = table.fontMetrics().horizontalAdvance(name);
+    EXPECT_EQ(linesAt(whole + 20), 1);
+    EXPECT_EQ(linesAt(whole - 10), 2);
+    EXPECT_EQ(item->text(0), name) << "what is copied is the name";
+    EXPECT_EQ(breakableAtSigns("Reibung bei a.b und 0.5").remove(QChar(0x200B)), "Reibung bei a.b und 0.5");
+    EXPECT_EQ(breakableAtSigns("0.5 at 1.0").size(), 10) << "numbers stay whole";
 }
 
 }  // namespace

@@ -34,6 +34,7 @@ QString shortDescription(const QString& description) {
 }
 
 QString placeText(const QString& at, const QString& channel) {
+    if (channel.startsWith("input ")) return ResultPanel::tr("%1 by %2").arg(placeText(at), placeText(channel));
     if (!channel.isEmpty()) return ResultPanel::tr("%1 by channel %2").arg(placeText(at), channel);
     if (at.startsWith("output ")) return ResultPanel::tr("output %1").arg(placeOf(at));
     if (at.startsWith("input ")) return ResultPanel::tr("input %1").arg(placeOf(at));

@@ -18,4 +18,14 @@ QString breakable(const QString& name, int whole) {
     return html;
 }
 
+QString breakableAtSigns(const QString& text) {
+    QString broken;
+    for (qsizetype i = 0; i < text.size(); ++i) {
+        broken += text[i];
+        const bool isSign = text[i] == u'.' || text[i] == u'_';
+        if (isSign && i + 1 < text.size() && text[i + 1].isLetter()) broken += QChar(0x200B);
+    }
+    return broken;
+}
+
 }  // namespace analogon::ui

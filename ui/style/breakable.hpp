@@ -9,4 +9,7 @@ namespace analogon::ui {
 /// where there is room for so many.
 QString breakable(const QString& name, int whole = 0);
 
+/// A plain text whose names may break behind their dots and underscores; its words stay whole.
+QString breakableAtSigns(const QString& text);
+
 }  // namespace analogon::ui

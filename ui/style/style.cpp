@@ -23,6 +23,7 @@
 #include <array>
 #include <cmath>
 
+#include "ui/style/breakable.hpp"
 #include "ui/style/tab_room.hpp"
 #include "ui/style/wheel_guard.hpp"
 
@@ -602,6 +603,7 @@ protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
         QStyledItemDelegate::initStyleOption(option, index);
         option->features |= QStyleOptionViewItem::WrapText;
+        option->text = breakableAtSigns(option->text);
     }
 
 private:
