@@ -339,6 +339,14 @@
 <context>
     <name>ComposeActions</name>
     <message>
+        <source>a new output of the model</source>
+        <translation>ein neuer Ausgang des Modells</translation>
+    </message>
+    <message>
+        <source>a new input of the model</source>
+        <translation>ein neuer Eingang des Modells</translation>
+    </message>
+    <message>
         <source>Group into a model …</source>
         <translation>Zu einem Modell zusammenfassen …</translation>
     </message>
@@ -4779,6 +4787,18 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
 <context>
     <name>MeasurementPanel</name>
     <message>
+        <source>No further column fits by unit and name: choose it in the list, by a double click.</source>
+        <translation>Keine weitere Spalte passt nach Einheit und Name: In der Liste durch Doppelklick wählen.</translation>
+    </message>
+    <message>
+        <source>Every input and output has its column already.</source>
+        <translation>Jeder Ein- und Ausgang hat schon seine Spalte.</translation>
+    </message>
+    <message>
+        <source>The model has no input and no output yet: insert a RealInput for what drives it, a RealOutput for what it is compared with.</source>
+        <translation>Das Modell hat noch keinen Ein- und keinen Ausgang: Ein RealInput steht für das, was es antreibt, ein RealOutput für das, womit es verglichen wird.</translation>
+    </message>
+    <message>
         <source> or </source>
         <translation> oder </translation>
     </message>
@@ -5271,6 +5291,18 @@ Relativer Standardfehler %1 %</translation>
 </context>
 <context>
     <name>PlotPanel</name>
+    <message>
+        <source>The model has an error (see the messages): measured and simulated traces appear here once it has none. Signals shows what was recorded at once.</source>
+        <translation>Das Modell hat einen Fehler (siehe Meldungen): Sobald er behoben ist, erscheinen hier gemessene und simulierte Verläufe. „Signale“ zeigt das Aufgezeichnete sofort.</translation>
+    </message>
+    <message>
+        <source>The model is not finished: once its parts are connected and its inputs and outputs have columns, measured and simulated traces appear here. Signals shows what was recorded at once.</source>
+        <translation>Das Modell ist nicht fertig: Sobald seine Teile verbunden sind und seine Ein- und Ausgänge Spalten haben, erscheinen hier gemessene und simulierte Verläufe. „Signale“ zeigt das Aufgezeichnete sofort.</translation>
+    </message>
+    <message>
+        <source>fitted as given</source>
+        <translation>wie gegeben angepasst</translation>
+    </message>
     <message>
         <source>The model has an error, and no measurement can be read.</source>
         <translation>Das Modell hat einen Fehler, und keine Messung ist lesbar.</translation>

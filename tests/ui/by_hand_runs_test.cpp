@@ -1,3 +1,5 @@
+#include <gmock/gmock.h>
+
 #include <QAbstractButton>
 #include <QApplication>
 #include <QClipboard>
@@ -5,14 +7,19 @@
 #include <QDrag>
 #include <QDragEnterEvent>
 #include <QLabel>
+#include <QListWidget>
 #include <QMouseEvent>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTableView>
 #include <QWheelEvent>
 
 #include "core/study/run.hpp"
 #include "tests/ui/by_hand_fixture.hpp"
+#include "ui/canvas/diagram_scene.hpp"
+#include "ui/library/chooser.hpp"
+#include "ui/measurement/import_panel.hpp"
 #include "ui/measurement/recordings_model.hpp"
 #include "ui/measurement/recordings_page.hpp"
 #include "ui/plot/plot_panel.hpp"
@@ -218,6 +225,74 @@ TEST_F(RunsByHand, TheResidualIsScaledToWhatIsLeftAfterAndToWhatIsShown) {
     EXPECT_LT(height(), 0.9 * after) << "looked at closely by the wheel";
     QTest::mouseDClick(residual, Qt::LeftButton, {}, at.toPoint());
     EXPECT_NEAR(height(), after, 1e-9 * after) << "all of it again";
+}
+
+/// With a recording and one block, as a new user has them: the window says what is missing, and the keys lead there.
+TEST_F(ByHand, ARecordingAndABlockAreLedToEachOther) {
+    newStudy();
+    QFile file(directory.filePath("bench.csv"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("Zeit;Spannung;Strom;Drehzahl\r\ns;V;A;1/min\r\n");
+    for (int i = 0; i < 40; ++i) file.write(QStringLiteral("0,%1;6,1;0,4;%2\r\n").arg(10 + i).arg(30 * i).toLatin1());
+    file.close();
+    QTest::keyClick(&window, Qt::Key_I, Qt::ControlModifier);
+    name(window.findChild<QFileDialog*>("import-dialog"), file.fileName());
+    auto* accept = panel<ImportPanel>()->acceptButton();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return accept->isVisible() && accept->isEnabled(); }, 10000));
+    QTest::mouseClick(accept, Qt::LeftButton);
+    ASSERT_EQ(document().study().experiments.size(), 1u);
+    place("Analogon.ElectricMechanical.BasicElectricMechanical", {-40, 10});
+    place("Analogon.Mechanics.Inertia", {40, 10});
+    ASSERT_EQ(document().diagram().blocks.size(), 2u);
+    const std::string motor = document().diagram().blocks[0].name, inertia = document().diagram().blocks[1].name;
+    wire((motor + ".flange").c_str(), (inertia + ".flange_a").c_str());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().modelError() != nullptr; }, 10000));
+
+    const auto says = [&](const QString& words) {
+        for (const QLabel* label : panel<PlotPanel>()->findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(words)) return true;
+        return false;
+    };
+    raise({"traces"});
+    EXPECT_TRUE(QTest::qWaitFor([&] { return says("The model is not finished"); }, 10000));
+    EXPECT_FALSE(says("no measurement can be read")) << "it is read, and not at fault";
+    const auto propose = [&] {
+        for (QToolButton* button : panel<MeasurementPanel>()->findChildren<QToolButton*>())
+            if (button->text() == "Propose mapping") QTest::mouseClick(button, Qt::LeftButton);
+        return window.statusBar()->currentMessage().toStdString();
+    };
+    const int steps = document().undoStack().count();
+    EXPECT_THAT(propose(), testing::HasSubstr("RealInput")) << "what it waits for";
+    EXPECT_EQ(document().undoStack().count(), steps) << "nothing that undo could take back";
+
+    auto* view = panel<DiagramView>();
+    const auto connect = [&](int from, const char* to) {
+        activate();  // the dialog had it
+        view->setFocus();
+        for (int i = 0; i < 5 && panel<DiagramScene>()->selectedBlock().toStdString() != motor; ++i)
+            QTest::keyClick(view, Qt::Key_Tab);
+        QTest::keyClick(view, Qt::Key_W);
+        auto* chooser = view->findChild<Chooser*>();
+        ASSERT_TRUE(chooser->isVisible());
+        for (int i = 0; i < from; ++i) QTest::keyClick(chooser->field(), Qt::Key_Down);
+        QTest::keyClick(chooser->field(), Qt::Key_Return);
+        const auto* choices = chooser->findChild<QListWidget*>();
+        ASSERT_GT(choices->count(), 0);
+        EXPECT_EQ(choices->item(0)->text().toStdString(), to);
+        QTest::keyClick(chooser->field(), Qt::Key_Return);
+        QTest::qWait(20);
+    };
+    connect(0, "a new input of the model");
+    connect(1, "a new output of the model");
+    ASSERT_EQ(document().diagram().wires.size(), 3u) << document().modelText().toStdString();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().facts().outputs.size() == 1; }, 10000));
+    propose();
+    const StudyExperiment& experiment = document().study().experiments.front();
+    EXPECT_EQ(experiment.inputs.size(), 1u);
+    EXPECT_EQ(experiment.outputs.begin()->second.column, "Strom");
+    EXPECT_THAT(propose(), testing::HasSubstr("has its column already"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return document().before() != nullptr; }, 20000)) << "the traces";
+    document().undoStack().setClean();
 }
 
 }  // namespace

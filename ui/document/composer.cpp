@@ -298,6 +298,16 @@ QString Composer::refusal(const std::string& from, const std::string& to) const 
     return {};
 }
 
+std::string Composer::signalClassFor(const std::string& connector) const {
+    const Diagram& diagram = document_.diagram();
+    const Domain domain = diagram.domain(connector);
+    if (!isSignal(domain) || instanceOf(connector) == connector) return {};
+    if (domain == Domain::RealOutput) return "Analogon.Interfaces.RealOutput";
+    const bool isTaken = std::any_of(diagram.wires.begin(), diagram.wires.end(),
+                                     [&](const Wire& wire) { return wire.from == connector || wire.to == connector; });
+    return isTaken ? std::string() : "Analogon.Interfaces.RealInput";
+}
+
 bool Composer::addWire(const std::string& from, const std::string& to, const std::vector<Point>& points) {
     if (!isReady()) return false;
     fault_ = refusal(from, to);

@@ -70,6 +70,9 @@ public:
 
     /// Why two connectors cannot be connected; empty: they can.
     QString refusal(const std::string& from, const std::string& to) const;
+    /// The class of a signal of the model that a connector of a block could be connected with: a RealInput for an input
+    /// that gets no signal yet, a RealOutput for an output; empty: for no other.
+    std::string signalClassFor(const std::string& connector) const;
     const QString& fault() const { return fault_; }
 
     /// The diagram with blocks at other places and the wires led after them.

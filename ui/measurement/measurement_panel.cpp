@@ -294,7 +294,32 @@ void MeasurementPanel::propose() {
         if (const auto file = fileTable(settings.tables, e))
             proposeMapping(e, isOnOneRaster(*file) ? *file : namesOfAll(*file), document_.facts(),
                            document_.study().experiments);
+    if (const QString why = whyNoneIsProposed(settings.experiments); !why.isEmpty()) return Q_EMIT told(why);
     document_.applySettings(std::move(settings), tr("Propose mapping"));
+}
+
+/// Why the proposal leaves everything as it is; empty: it does not.
+QString MeasurementPanel::whyNoneIsProposed(const std::vector<StudyExperiment>& proposed) const {
+    const auto isSame = [](const StudyExperiment& a, const StudyExperiment& b) {
+        return a.inputs.size() == b.inputs.size() && a.outputs.size() == b.outputs.size();  // it only adds
+    };
+    const std::vector<StudyExperiment>& now = document_.study().experiments;
+    if (!std::equal(now.begin(), now.end(), proposed.begin(), proposed.end(), isSame)) return {};
+    const ModelFacts& facts = document_.facts();
+    if (facts.inputs.empty() && facts.outputs.empty())
+        return tr(
+            "The model has no input and no output yet: insert a RealInput for what drives it, a RealOutput for what "
+            "it is compared with.");
+    const auto isWhole = [&](const StudyExperiment& e) {
+        const auto has = [](const auto& channels) {
+            return [&channels](const SignalFact& signal) { return channels.contains(signal.name); };
+        };
+        return std::all_of(facts.inputs.begin(), facts.inputs.end(), has(e.inputs)) &&
+               std::all_of(facts.outputs.begin(), facts.outputs.end(), has(e.outputs));
+    };
+    return std::all_of(now.begin(), now.end(), isWhole)
+               ? tr("Every input and output has its column already.")
+               : tr("No further column fits by unit and name: choose it in the list, by a double click.");
 }
 
 void MeasurementPanel::showMenu(QPoint at) {

@@ -93,6 +93,7 @@ private:
     void addInterpolation(QMenu& menu, const QTreeWidgetItem* item);
     void addSource(QMenu& menu, const QTreeWidgetItem* item);
     void makeSource(const StudyExperiment& experiment, const ChannelMapping& mapping, const std::string& unit);
+    QString whyNoneIsProposed(const std::vector<StudyExperiment>& proposed) const;
     void removeExperiment();
     void showMenu(QPoint at);
     void showValuesOf(const QTreeWidgetItem* item);

@@ -67,6 +67,7 @@ void MeasurementPanel::addSpares(QTreeWidgetItem* top, const Table& file, const 
         item->setData(1, columnRole, label);
         item->setIcon(0, icon);
         item->setToolTip(0, tr("Kept: the search for effects may use it as a cause"));
+        item->setToolTip(1, item->text(1));  // where the list has no room for the whole of it
         for (int c : {0, 1}) style::tint(*item, c, style::mutedText, palette());
         items << item;
     }

@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "ui/document/document.hpp"
+#include "ui/document/unfinished.hpp"
 #include "ui/plot/residual_plot.hpp"
 #include "ui/plot/run_comparison.hpp"
 #include "ui/style/number.hpp"
@@ -143,9 +144,10 @@ PlotPanel::PlotPanel(Document& document, QWidget* parent)
     connect(&document, &Document::resultChanged, this, &PlotPanel::refresh);
     connect(&document, &Document::comparisonChanged, this, &PlotPanel::refresh);
     connect(&document, &Document::liveTracesChanged, this, &PlotPanel::showLive);
-    connect(&document, &Document::experimentsChanged, this, [this] {
-        if (names_.empty()) rebuild();
-    });
+    for (auto signal : {&Document::experimentsChanged, &Document::messagesChanged})
+        connect(&document, signal, this, [this] {
+            if (names_.empty()) rebuild();  // why there are none may be another reason
+        });
     refresh();
 }
 
@@ -309,19 +311,34 @@ void PlotPanel::takePictures(std::function<void(std::vector<QImage>)> done) {
     turns->start(0);
 }
 
+/// Why there are no traces, and what leads to some.
+QString PlotPanel::textOfNone() const {
+    if (!document_.isOpen()) return tr("Open a study to see its measurements here.");
+    const Study& study = document_.study();
+    const bool isAnyRead = study.experiments.size() > study.unread.size();
+    if (const Diagnostic* const error = document_.modelError(); error && !study.experiments.empty()) {
+        if (!isAnyRead) return tr("The model has an error, and no measurement can be read.");
+        return isUnfinished(*error) ? tr("The model is not finished: once its parts are connected and its inputs and "
+                                         "outputs have columns, measured and simulated traces appear here. Signals "
+                                         "shows what was recorded at once.")
+                                    : tr("The model has an error (see the messages): measured and simulated traces "
+                                         "appear here once it has none. Signals shows what was recorded at once.");
+    }
+    if (document_.canRun()) return tr("Simulating the model as it stands …");
+    if (!study.experiments.empty())
+        return tr(
+            "Map a column of the recording to an output of the model, among the measurements: measured "
+            "and simulated traces then appear here. Signals shows what was recorded at once.");
+    return tr(
+        "Import a measurement and map its columns: measured and simulated "
+        "traces then appear here. Simulate (F4) shows the model by itself.");
+}
+
 void PlotPanel::rebuild() {
     const int index = experiments_->currentIndex();
     if (names_.empty() || index < 0) {
         untrim_->hide();
-        empty_->setText(
-            !document_.isOpen()      ? tr("Open a study to see its measurements here.")
-            : document_.modelError() ? tr("The model has an error, and no measurement can be read.")
-            : document_.canRun()     ? tr("Simulating the model as it stands …")
-            : !document_.study().experiments.empty()
-                ? tr("Map a column of the recording to an output of the model, among the measurements: measured "
-                     "and simulated traces then appear here. Signals shows what was recorded at once.")
-                : tr("Import a measurement and map its columns: measured and simulated "
-                     "traces then appear here. Simulate (F4) shows the model by itself."));
+        empty_->setText(textOfNone());
         pages_->setCurrentWidget(empty_);
         return;
     }

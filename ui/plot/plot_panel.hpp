@@ -123,6 +123,7 @@ protected:
 
 private:
     void refresh();
+    QString textOfNone() const;
     void rebuild();
     void arrangeBar();
     int widthOfButtons() const;

@@ -226,7 +226,7 @@ void ComposeActions::show(const std::string& name) {
     view_.refitIfHidden();
 }
 
-void ComposeActions::placeAnywhere(const QString& className) {
+std::string ComposeActions::placeAnywhere(const QString& className) {
     // Beside what is selected, else where the view looks.
     Point near = view_.diagramPoint(view_.viewport()->rect().center());
     const Block* selected = document_.diagram().find(scene_.selectedBlock().toStdString());
@@ -255,8 +255,10 @@ void ComposeActions::placeAnywhere(const QString& className) {
     }
     const Placement free = freePlacement(document_.diagram(), near, 20, 20);
     const auto [low, high] = boxOf(free);
-    show(composer_->addBlock(className.toStdString(), {(low.x + high.x) / 2, (low.y + high.y) / 2}));
+    std::string name = composer_->addBlock(className.toStdString(), {(low.x + high.x) / 2, (low.y + high.y) / 2});
+    show(name);
     view_.setFocus();
+    return name;
 }
 
 void ComposeActions::chooseBlock(const QString& typed) {
@@ -295,9 +297,16 @@ void ComposeActions::chooseEnd(const QString& from) {
         const QString refusal = composer_->refusal(from.toStdString(), name);
         if (refusal.isEmpty()) choices.push_back({qString(name), {}, qString(name), {}});
     }
+    // What drives the model, or what it is compared with, may not be there yet.
+    const QString fresh = qString(composer_->signalClassFor(from.toStdString()));
+    const auto own = std::find_if(choices.begin(), choices.end(), [&](const Choice& choice) {
+        return instanceOf(choice.key.toStdString()) == instanceOf(from.toStdString());
+    });
+    const QString words = fresh.endsWith("Input") ? tr("a new input of the model") : tr("a new output of the model");
+    if (!fresh.isEmpty()) choices.insert(own, {words, {}, fresh, {}});
     if (choices.empty()) return Q_EMIT told(tr("No connector of the diagram fits %1.").arg(from));
-    chooser_->choose(tr("Connect %1 with").arg(from), std::move(choices), {}, [this, from](const QString& to) {
-        report(composer_->addWire(from.toStdString(), to.toStdString()));
+    chooser_->choose(tr("Connect %1 with").arg(from), std::move(choices), {}, [this, from, fresh](const QString& to) {
+        report(composer_->addWire(from.toStdString(), to == fresh ? placeAnywhere(fresh) : to.toStdString()));
     });
 }
 

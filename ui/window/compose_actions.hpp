@@ -32,7 +32,7 @@ public:
     Chooser* chooser() const { return chooser_; }
     Composer& composer() { return *composer_; }
     /// A block of this class where there is room, selected.
-    void placeAnywhere(const QString& className);
+    std::string placeAnywhere(const QString& className);
     /// A component as a text declares it, left of all others, selected.
     void placeDeclared(const QString& declaration);
     /// A picture of a file, which comes to lie in the model.
