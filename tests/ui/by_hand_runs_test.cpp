@@ -295,5 +295,17 @@ TEST_F(ByHand, ARecordingAndABlockAreLedToEachOther) {
     document().undoStack().setClean();
 }
 
+/// A search goes on with other models: what is drawn meanwhile is the fit of the one that is given, and is called so.
+TEST_F(ByHand, TracesWatchedDuringASearchAreNotCalledItsBest) {
+    openLambda();
+    activate();
+    QTest::keyClick(&window, Qt::Key_F6);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().liveTraces() != nullptr; }, 60000));
+    const QString label = panel<PlotPanel>()->plots().front()->legendText(TraceRole::After);
+    EXPECT_TRUE(label.startsWith("fitted as given")) << label.toStdString();
+    window.controller().cancel();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !window.controller().isRunning(); }, 20000));
+}
+
 }  // namespace
 }  // namespace analogon::ui

@@ -144,9 +144,11 @@ public:
     /// Traces to show: as it stood before, and with what was found (null: there is none).
     std::shared_ptr<const ModelState> before() const;
     std::shared_ptr<const ModelState> after() const;
-    /// While a fit runs: the fitted experiments with the best values so far; null: none.
-    void setLiveTraces(std::optional<SimulatedTraces> traces);
+    /// While a run goes on: the fitted experiments of the model as it is given, with the best values so far; null:
+    /// none.
+    void setLiveTraces(std::optional<SimulatedTraces> traces, RunKind of = RunKind::Fit);
     const SimulatedTraces* liveTraces() const { return live_ ? &*live_ : nullptr; }
+    RunKind liveKind() const { return liveKind_; }
     /// What the traces would be with something that is only looked at.
     struct Preview {
         QString name;
@@ -259,6 +261,7 @@ private:
     JobRunner reader_;
     JobRunner analyser_;
     JobRunner saver_;
+    RunKind liveKind_{};  // that of live_
 };
 
 }  // namespace analogon::ui

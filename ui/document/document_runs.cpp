@@ -165,9 +165,10 @@ void Document::setMeasured(std::vector<ExperimentState> measured) {
     Q_EMIT resultChanged();
 }
 
-void Document::setLiveTraces(std::optional<SimulatedTraces> traces) {
+void Document::setLiveTraces(std::optional<SimulatedTraces> traces, RunKind of) {
     if (!traces && !live_) return;
     live_ = std::move(traces);
+    liveKind_ = of;
     Q_EMIT liveTracesChanged();
 }
 

@@ -206,6 +206,7 @@ void RunController::start(RunKind kind, const RunOptions& options, const Study& 
     simulator_.reset();
     const Study study = document_.study();
     const unsigned long revision = revision_ = document_.revision();
+    kind_ = kind;
     part_ = part;
     asked_ = {options, {}};
     for (const StudyExperiment& e : part.experiments)
@@ -259,7 +260,7 @@ void RunController::simulateBest() {
             // Several starts report by turns: the best of them is what is shown.
             const SimulatedTraces* shown = document_.liveTraces();
             if (watched.traces && (!shown || watched.traces->errorPercent <= shown->errorPercent))
-                document_.setLiveTraces(std::move(watched.traces));
+                document_.setLiveTraces(std::move(watched.traces), kind_);
             // At most half of the time: the fit is what the machine is wanted for.
             if (!best_.empty()) liveDelay_.start(std::max<int>(livePause, static_cast<int>(clock.elapsed())));
         });

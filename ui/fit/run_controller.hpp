@@ -100,6 +100,7 @@ private:
     std::vector<Look> looks_;                   // the last ones
     Search asked_;                              // of the run
     std::map<unsigned long, Search> searches_;  // by the number of their run
+    RunKind kind_{};                            // of the run
 };
 
 QString runName(RunKind kind);

@@ -420,7 +420,10 @@ void PlotPanel::showLive() {
     const SimulatedTraces* live = document_.liveTraces();
     const Document::Preview* preview = live ? nullptr : document_.preview();
     if ((!live && !preview) || document_.comparedRuns()) return rebuild();
-    const QString word = live ? tr("best so far") : tr("tried");
+    // A search goes on from the fit with other models, whose errors are smaller: these traces are not its best.
+    const QString word = !live                                       ? tr("tried")
+                         : document_.liveKind() == RunKind::Discover ? tr("fitted as given")
+                                                                     : tr("best so far");
     for (const SimulatedExperiment& experiment : (live ? *live : preview->traces).experiments) {
         if (QString::fromStdString(experiment.name) != shown_) continue;
         for (const SimulatedTrace& trace : experiment.outputs)
