@@ -129,8 +129,8 @@ private:
     std::unordered_map<std::uint32_t, const StartValue*> startOf_;
     std::unordered_map<std::uint32_t, const SolutionBlock*> parameterBlockOf_;
     std::unordered_map<std::uint32_t, int> delayOf_;
-    std::unordered_map<std::uint64_t, std::uint32_t> constants_;    // bits of the value -> register
-    std::unordered_map<std::uint32_t, std::uint32_t> reciprocals_;  // of registers of the prelude
+    std::unordered_map<std::uint64_t, std::uint32_t> constants_;        // bits of the value -> register
+    std::unordered_map<std::uint32_t, std::uint32_t> reciprocals_;      // of registers of the prelude
     std::map<std::pair<std::uint32_t, double>, std::uint32_t> powers_;  // by base and exponent, of what is under way
     Program prelude_, program_;
     std::vector<Instruction>* scope_{};  // body of the nonlinear block under way

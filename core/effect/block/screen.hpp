@@ -45,7 +45,7 @@ struct Screened {
 /// What a candidate has to promise for a refit. Of its score those samples alone count that speak for themselves; the
 /// score with the noise made white reckons with that already.
 struct LeastPromise {
-    double score{};  // decrease of chi-square
+    double score{};   // decrease of chi-square
     double share{1};  // of the samples
     double of(const Screened& screened) const;
     bool isMetBy(const Screened& screened) const { return of(screened) > score; }

@@ -103,8 +103,8 @@ void chooseAmong(const SearchContext& search, const NullModel& null, const std::
         return std::tuple(isLate, first == First::Best ? missed : 0, t.freed(),
                           plausibility(t.screened.candidate.effect), missed);
     };
-    Contender chosen = *std::min_element(
-        alike.begin(), alike.end(), [&](const Contender& a, const Contender& b) { return order(a) < order(b); });
+    Contender chosen = *std::min_element(alike.begin(), alike.end(),
+                                         [&](const Contender& a, const Contender& b) { return order(a) < order(b); });
     if (first == First::Simplest) chosen = likeliestOf(search, null, alike, chosen, round.trials);
     round.chosen = chosen.trial;
     round.members.clear();

@@ -12,8 +12,8 @@ class SearchContext;
 
 /// Adds such names to the end of a search, each refitted with all parameters. They are sought one by one beside the
 /// node, and among the names with which paths ended (`ends`, before anything was taken out of them); of what comes of
-/// both, what predicts best stays. Where noise is left, or nothing predicts clearly better, the node stays as it is. One
-/// effect that, beside a flow, is clearly likelier as the only one of the model as given (`base`) takes its place.
+/// both, what predicts best stays. Where noise is left, or nothing predicts clearly better, the node stays as it is.
+/// One effect that, beside a flow, is clearly likelier as the only one of the model as given (`base`) takes its place.
 void indicate(SearchContext& search, const NullModel& base, Node& node, const std::vector<Node>& ends);
 
 }  // namespace analogon

@@ -287,8 +287,7 @@ struct Promising {
 
     Promising(const std::vector<Screened>& screened, const LeastPromise& least) {
         for (const Screened& s : screened)
-            if (s.failure.empty() && s.score() > 0 && least.isMetBy(s))
-                byScore.push_back(&s);
+            if (s.failure.empty() && s.score() > 0 && least.isMetBy(s)) byScore.push_back(&s);
         std::stable_sort(byScore.begin(), byScore.end(),
                          [](const Screened* a, const Screened* b) { return a->score() > b->score(); });
         byWhitened = byScore;
