@@ -54,6 +54,10 @@ TEST_F(FlowRanking, DecidesBetweenThoseThatPredictNearlyAsWell) {
     chooseAmong(of.search, of.base, {contender("sensor.lag", 9), contender("sensor.offset", 1)}, First::Simplest,
                 round);
     EXPECT_EQ(*round.chosen, trialOf("sensor.offset")) << "what predicts far less is no rival";
+    round.trials[trialOf("sensor.lag")].screened.candidate.effect.placement.signalSide = "input";
+    chooseAmong(of.search, of.base, {contender("sensor.lag", 1.5), contender("sensor.offset", 1)}, First::Simplest,
+                round);
+    EXPECT_EQ(*round.chosen, trialOf("sensor.offset")) << "nor is what is met less often";
 }
 
 }  // namespace
