@@ -281,12 +281,13 @@ std::uint32_t Lowering::lowerPower(const ExpressionNode& node) {
     return emit(Opcode::Power, a, lower(node.b));
 }
 
-/// Beside a power its derivative is a quotient: a^(b - 1) = a^b / a, and 0 at 0 where b > 1.
+/// Beside a power its derivative is a quotient: a^(b - 1) = a^b / a, and at 0 it is 0 where b > 1, else infinite.
 std::uint32_t Lowering::powerOf(std::uint32_t a, double exponent) {
     if (const auto higher = powers_.find({a, exponent + 1}); higher != powers_.end()) {
         const std::uint32_t quotient = emit(Opcode::Divide, higher->second, a);
-        if (exponent < 0) return quotient;
-        return emit(Opcode::Select, emit(Opcode::Equal, a, constant(0)), constant(0), quotient);
+        const std::uint32_t atZero =
+            exponent > 0 ? constant(0) : emit(Opcode::Divide, constant(1), emit(Opcode::Abs, a));
+        return emit(Opcode::Select, emit(Opcode::Equal, a, constant(0)), atZero, quotient);
     }
     return powers_[{a, exponent}] = emit(Opcode::Power, a, constant(exponent));
 }

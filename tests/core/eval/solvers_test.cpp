@@ -168,6 +168,20 @@ TEST(NonlinearLoop, KnowsTheSlopeOfAPowerWhereItsBaseIsNothing) {
     EXPECT_NEAR(outputsAt(*system, 0).front(), 0, 1e-12);
 }
 
+TEST(Power, BesideAHigherOneOfTheSameBaseIsWhatItIsAlone) {
+    // u^0.7 is u^1.7 / u where that is known already
+    const auto at = [](const char* powers, double u) {
+        const SystemPtr system = test::compileText(
+            fmt::format("model Powers\n  input Real u;\n  output Real y = {};\nend Powers;\n", powers), "Powers");
+        EXPECT_TRUE(system);
+        return system ? outputsAt(*system, u).front() : NAN;
+    };
+    EXPECT_EQ(at("u^1.7 + u^0.7", 0), 0);
+    EXPECT_EQ(at("u^0.7 + 1/(1 + u^(-0.3))", 0), 0) << "it is infinite there";
+    EXPECT_NEAR(at("u^1.7 + u^0.7", 3), std::pow(3, 1.7) + std::pow(3, 0.7), 1e-14);
+    EXPECT_NEAR(at("u^0.7 + u^(-0.3)", 3), std::pow(3, 0.7) + std::pow(3, -0.3), 1e-14);
+}
+
 TEST(NonlinearLoop, FollowsARootDownToItsEnd) {
     // x^0.78 rises without limit at 0: its slope is no number there, and no step may begin with it
     const SystemPtr system = test::compileText(
