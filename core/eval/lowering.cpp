@@ -270,6 +270,8 @@ std::uint32_t Lowering::lowerPower(const ExpressionNode& node) {
     const std::uint32_t a = lower(node.a);
     if (pool_.isConstant(node.b)) {
         const double exponent = pool_[node.b].value;
+        if (exponent == 0) return constant(1);
+        if (exponent == 1) return a;
         if (exponent == 0.5) return emit(Opcode::Sqrt, a);
         if (exponent == 2) return emit(Opcode::Square, a);
         if (exponent == 3) return emit(Opcode::Multiply, emit(Opcode::Square, a), a);

@@ -178,6 +178,7 @@ TEST(Power, BesideAHigherOneOfTheSameBaseIsWhatItIsAlone) {
     };
     EXPECT_EQ(at("u^1.7 + u^0.7", 0), 0);
     EXPECT_EQ(at("u^0.7 + 1/(1 + u^(-0.3))", 0), 0) << "it is infinite there";
+    EXPECT_EQ(at("u^1 + u^0", 0), 1) << "anything to the power 0 is 1";
     EXPECT_NEAR(at("u^1.7 + u^0.7", 3), std::pow(3, 1.7) + std::pow(3, 0.7), 1e-14);
     EXPECT_NEAR(at("u^0.7 + u^(-0.3)", 3), std::pow(3, 0.7) + std::pow(3, -0.3), 1e-14);
 }
