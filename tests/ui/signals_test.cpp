@@ -61,6 +61,11 @@ TEST(SignalModel, SearchesTwentyThousandSignalsInLessThanFiftyMilliseconds) {
     EXPECT_EQ(model.signalAt(model.index(0, 0, model.index(0, 0)))->reference.name, "drive.stage77.phi1540");
 }
 
+std::shared_ptr<const SignalData> signal(std::vector<double> time, std::vector<double> values) {
+    return std::make_shared<const SignalData>(
+        SignalData{std::make_shared<const std::vector<double>>(std::move(time)), Series(std::move(values)), "V", {}});
+}
+
 std::shared_ptr<const SignalData> noise(std::size_t samples, double scale) {
     std::vector<double> time(samples), values(samples);
     unsigned state = 1;
@@ -69,8 +74,7 @@ std::shared_ptr<const SignalData> noise(std::size_t samples, double scale) {
         time[i] = 1e-3 * static_cast<double>(i);
         values[i] = scale * (std::sin(1e-2 * time[i]) + 0.1 * (state >> 8) / double(1 << 24));
     }
-    return std::make_shared<const SignalData>(
-        SignalData{std::make_shared<const std::vector<double>>(std::move(time)), Series(std::move(values)), "V", {}});
+    return signal(std::move(time), std::move(values));
 }
 
 TEST(SignalChart, DrawsTwoTracesOfAMillionSamplesAnewInLessThanSixteenMilliseconds) {
@@ -101,10 +105,7 @@ TEST(SignalChart, LosesNoPeakAndFollowsWhatIsVisible) {
     values[54'321] = 7;
     SignalChart chart;
     chart.resize(800, 300);
-    chart.setLines({{{},
-                     Qt::blue,
-                     std::make_shared<const SignalData>(
-                         SignalData{std::make_shared<const std::vector<double>>(time), Series(values), "V", {}})}});
+    chart.setLines({{{}, Qt::blue, signal(std::move(time), std::move(values))}});
     chart.setTimeRange(0, 99'999);
     EXPECT_GT(chart.valueRange().second, 7);
     chart.setTimeRange(0, 50'000);
@@ -121,10 +122,7 @@ TEST(SignalChart, GoesDownASlopeWithoutGoingUpAgain) {
     }
     SignalChart chart;
     chart.resize(800, 300);
-    chart.setLines({{{},
-                     Qt::blue,
-                     std::make_shared<const SignalData>(
-                         SignalData{std::make_shared<const std::vector<double>>(time), Series(values), "V", {}})}});
+    chart.setLines({{{}, Qt::blue, signal(std::move(time), std::move(values))}});
     chart.setTimeRange(0, 99'999);
     const auto* series = qobject_cast<QLineSeries*>(chart.chart()->series().front());
     ASSERT_TRUE(series && series->count() > 600 && series->count() < 2000);

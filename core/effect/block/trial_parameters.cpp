@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "core/effect/block/probe_score.hpp"
 #include "core/effect/thresholds.hpp"

@@ -424,21 +424,20 @@ BesideDisturbance besideDisturbanceAlso(const BesideDisturbance& alone, const Nu
                                         const SimulationOptions& simulation, const Progress& progress, std::size_t most,
                                         const std::vector<ParameterValue>& offered) {
     BesideDisturbance best = besideDisturbance(with, simulation, progress, most);
-    NullModel there = with;
-    takeValues(there.variant.values, alone.values);
-    const auto beginThere = [&] {
+    const auto beginThere = [&](const std::vector<ParameterValue>& ofEffect) {
+        NullModel there = with;
+        takeValues(there.variant.values, alone.values);
+        takeValues(there.variant.values, ofEffect);
         const Outcome<PreparedTask> prepared = prepareAt(there.variant, there.noise);
         if (!prepared) return;
         there.fit.optimum =
-            linearise(prepared->problem, prepared->problem.startValues(), true, with.fit.plans, simulation, progress);
+            linearise(prepared->problem, prepared->problem.startValues(), true, there.fit.plans, simulation, progress);
         if (!there.fit.optimum.ok || !there.fit.optimum.jacobian.allFinite()) return;
         const BesideDisturbance other = besideDisturbance(there, simulation, progress, most);
         if (other.misfit < best.misfit) best = other;
     };
-    if (!(best.misfit < alone.misfit)) beginThere();
-    if (offered.empty() || best.misfit < alone.misfit - equivalenceMargin) return best;
-    takeValues(there.variant.values, offered);
-    beginThere();
+    if (!(best.misfit < alone.misfit)) beginThere({});
+    if (!offered.empty() && !(best.misfit < alone.misfit - equivalenceMargin)) beginThere(offered);
     return best;
 }
 

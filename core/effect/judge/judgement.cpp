@@ -42,6 +42,10 @@ int plausibility(const EffectClass& effect) {
     return effect.placement.signalSide == "input" ? 2 : effect.placement.behindSource ? 1 : 0;
 }
 
+std::pair<int, int> simplicity(const Trial& trial) {
+    return {trial.freed(), plausibility(trial.screened.candidate.effect)};
+}
+
 bool mayFollowOthers(const NullModel& null, const Trial& trial) {
     return trial.screened.candidate.effect.trial.flexible && !isNoise(null.channels, trial.fit);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "core/effect/block/trial.hpp"
 #include "core/effect/judge/disturbance.hpp"
@@ -31,6 +32,9 @@ std::vector<EffectValue> estimatesOf(const PlacedEffect& placed, const FitResult
 /// sensor is fast, heat is passed on at once by what gives it, and neighbours exchange heat more often than they share
 /// a contact to their surroundings.
 int plausibility(const EffectClass& effect);
+
+/// Of trials that explain or predict as much, the one that goes first: with the fewest parameters, and met most often.
+std::pair<int, int> simplicity(const Trial& trial);
 
 /// Whether an effect of a flexible form leaves structure: there it may stand in for other effects.
 bool mayFollowOthers(const NullModel& null, const Trial& trial);

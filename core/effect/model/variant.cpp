@@ -265,4 +265,10 @@ Outcome<std::string> textWithValues(const Variant& variant) {
     return syntax::apply(variant.task.model->text(), std::move(*text)).text;
 }
 
+bool hasEffect(const std::vector<PlacedEffect>& effects, const PlacedEffect& effect) {
+    const std::string key = keyOf(effect.effect, effect.place);
+    return std::any_of(effects.begin(), effects.end(),
+                       [&](const PlacedEffect& e) { return keyOf(e.effect, e.place) == key; });
+}
+
 }  // namespace analogon

@@ -79,6 +79,9 @@ Outcome<PreparedTask> prepareHeld(const Variant& variant, const std::vector<FitP
                                   const std::vector<Eigen::VectorXd>& noise,
                                   const std::vector<std::string>& alsoKeep = {});
 
+/// Whether an effect of the same class at the same place is among these.
+bool hasEffect(const std::vector<PlacedEffect>& effects, const PlacedEffect& effect);
+
 /// Values of a fit result.
 std::vector<ParameterValue> valuesOf(const FitResult& result);
 

@@ -30,11 +30,9 @@ bool choose(const SearchContext& search, const NullModel& null, const std::vecto
     std::vector<std::size_t> members;
     for (auto l = named; l != likely.end() && named->evidence - l->evidence < equivalenceMargin; ++l)
         if (!isProposal(round.trials[l->trial])) members.push_back(l->trial);
-    const auto order = [&](std::size_t i) {
-        return std::pair(round.trials[i].freed(), plausibility(round.candidate(i).effect));
-    };
-    round.chosen = *std::min_element(members.begin(), members.end(),
-                                     [&](std::size_t a, std::size_t b) { return order(a) < order(b); });
+    round.chosen = *std::min_element(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
+        return simplicity(round.trials[a]) < simplicity(round.trials[b]);
+    });
     round.members = std::move(members);
     round.acceptance = examine(search, null, round.trials[*round.chosen], round.threshold);
     round.refused.behind =
@@ -60,22 +58,12 @@ LikeliestBesideFlow withLikeliestBesideFlow(SearchContext& search, const Node& n
     return found;
 }
 
-namespace {
-
-bool hasEffect(const Node& node, const PlacedEffect& effect) {
-    return std::any_of(node.null.variant.effects.begin(), node.null.variant.effects.end(), [&](const PlacedEffect& e) {
-        return keyOf(e.effect, e.place) == keyOf(effect.effect, effect.place);
-    });
-}
-
-}  // namespace
-
 std::optional<Node> likelierThan(const SearchContext& search, const NullModel& base, const Node& node) {
     const SoughtFirst& first = search.frontier.best.first;
     if (node.steps.empty() || isNoise(node.null) || !first.node || !first.isBeside(base)) return std::nullopt;
     const Node& one = *first.node;
     const bool isOfFlow = one.steps.back().prediction && one.steps.back().prediction->besideFlow;
-    if (!isOfFlow || hasEffect(node, one.null.variant.effects.front())) return std::nullopt;
+    if (!isOfFlow || hasEffect(node.null.variant.effects, one.null.variant.effects.front())) return std::nullopt;
     const auto besideFlow = [&](const Node& of) -> std::optional<BesideDisturbance> {
         const Outcome<NullModel> model =
             fitNull(of.null.variant, base.noise, NoiseLevel::Keep, search.fit, search.progress);

@@ -78,13 +78,9 @@ std::vector<Contender> nearlyBest(std::vector<Contender> contenders) {
 /// one.
 Contender likeliestOf(const SearchContext& search, const NullModel& null, const std::vector<Contender>& alike,
                       const Contender& chosen, const std::vector<Trial>& trials) {
-    const auto order = [&](const Contender& c) {
-        const Trial& t = trials[c.trial];
-        return std::pair(t.freed(), plausibility(t.screened.candidate.effect));
-    };
     std::vector<std::size_t> rivals;
     for (const Contender& c : alike)
-        if (order(c) == order(chosen)) rivals.push_back(c.trial);
+        if (simplicity(trials[c.trial]) == simplicity(trials[chosen.trial])) rivals.push_back(c.trial);
     const std::optional<std::size_t> likelier = clearlyLikelier(search, null, trials, rivals, chosen.trial);
     const auto it = std::find_if(alike.begin(), alike.end(), [&](const Contender& c) { return c.trial == likelier; });
     return it == alike.end() ? chosen : *it;
@@ -100,8 +96,7 @@ void chooseAmong(const SearchContext& search, const NullModel& null, const std::
         const Trial& t = round.trials[c.trial];
         const bool isLate = isLongDeadTime(t.variant.effects.back(), t.fit, interval);
         const double missed = -c.prediction.removed();
-        return std::tuple(isLate, first == First::Best ? missed : 0, t.freed(),
-                          plausibility(t.screened.candidate.effect), missed);
+        return std::tuple(isLate, first == First::Best ? missed : 0, simplicity(t), missed);
     };
     Contender chosen = *std::min_element(alike.begin(), alike.end(),
                                          [&](const Contender& a, const Contender& b) { return order(a) < order(b); });

@@ -143,10 +143,7 @@ std::optional<Node> namesOf(SearchContext& search, const Node& node, const Node&
     const std::vector<PlacedEffect>& found = end.null.variant.effects;
     for (std::size_t i = 0; i < found.size() && i < end.steps.size(); ++i) {
         const PlacedEffect& e = found[i];
-        const bool isThere = std::any_of(effects.begin(), effects.end(), [&](const PlacedEffect& have) {
-            return keyOf(have.effect, have.place) == keyOf(e.effect, e.place);
-        });
-        if (isThere || !mayBeIndicated(e)) continue;
+        if (hasEffect(effects, e) || !mayBeIndicated(e)) continue;
         effects.push_back(e);
         names.steps.push_back(end.steps[i]);
         names.steps.back().prediction.emplace();

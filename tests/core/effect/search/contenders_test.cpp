@@ -14,19 +14,9 @@ Contender contender(std::size_t trial, double left) {
     return c;
 }
 
-class Contenders : public testing::Test {
+class Contenders : public testing::Test, protected TriedOnce {
 protected:
-    Contenders() : of(laggingBody(3)), round(tryAll(of.search, of.base)) {}
-
-    std::size_t trialOf(const std::string& kind) const {
-        for (std::size_t i = 0; i < round.trials.size(); ++i)
-            if (round.candidate(i).effect.kind == kind) return i;
-        ADD_FAILURE() << "no trial of " << kind;
-        return 0;
-    }
-
-    WarmSearch of;
-    Round round;
+    Contenders() : TriedOnce(laggingBody(3)) {}
 };
 
 TEST_F(Contenders, AreThoseThatMakeTheModelPredictBetter) {

@@ -8,19 +8,9 @@
 namespace analogon {
 namespace {
 
-class FlowRanking : public testing::Test {
+class FlowRanking : public testing::Test, protected TriedOnce {
 protected:
-    FlowRanking() : of(laggingBodyBesideAFlow(0.6, 1, 3)), round(tryAll(of.search, of.base)) {}
-
-    std::size_t trialOf(const std::string& kind) const {
-        for (std::size_t i = 0; i < round.trials.size(); ++i)
-            if (round.candidate(i).effect.kind == kind) return i;
-        ADD_FAILURE() << "no trial of " << kind;
-        return 0;
-    }
-
-    WarmSearch of;
-    Round round;
+    FlowRanking() : TriedOnce(laggingBodyBesideAFlow(0.6, 1, 3)) {}
 };
 
 TEST_F(FlowRanking, PutsTheEffectThatIsThereFirst) {

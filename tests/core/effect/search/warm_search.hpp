@@ -39,6 +39,21 @@ public:
     NullModel base;
 };
 
+/// What was tried beside the model as given.
+struct TriedOnce {
+    explicit TriedOnce(const EstimationTask& task) : of(task), round(tryAll(of.search, of.base)) {}
+
+    std::size_t trialOf(const std::string& kind) const {
+        for (std::size_t i = 0; i < round.trials.size(); ++i)
+            if (round.candidate(i).effect.kind == kind) return i;
+        ADD_FAILURE() << "no trial of " << kind;
+        return 0;
+    }
+
+    WarmSearch of;
+    Round round;
+};
+
 /// The model with an effect of this kind, refitted.
 inline Node nodeWith(WarmSearch& of, const std::string& kind) {
     Node node{of.base, {}};
