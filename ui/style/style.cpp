@@ -1,20 +1,16 @@
 #include "ui/style/style.hpp"
 
 #include <QAbstractItemView>
-#include <QFile>
 #include <QGuiApplication>
 #include <QHeaderView>
-#include <QIconEngine>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPainter>
-#include <QPixmap>
 #include <QProgressBar>
 #include <QProxyStyle>
 #include <QStyleFactory>
 #include <QStyleOption>
 #include <QStyledItemDelegate>
-#include <QSvgRenderer>
 #include <QTabBar>
 #include <QTreeView>
 #include <QVBoxLayout>
@@ -25,6 +21,7 @@
 
 #include "ui/style/breakable.hpp"
 #include "ui/style/tab_room.hpp"
+#include "ui/style/tinted_icon.hpp"
 #include "ui/style/wheel_guard.hpp"
 
 // Resources of a static library must be asked for; the macro wants the global namespace.
@@ -449,40 +446,6 @@ private:
         }
         painter.restore();
     }
-};
-
-/// Paints an SVG of :/icons whose strokes are `currentColor` in the palette's colour of the moment.
-class TintedIcon : public QIconEngine {
-public:
-    explicit TintedIcon(QString name) : name_(std::move(name)) {}
-
-    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
-        QFile file(":/icons/" + name_ + ".svg");
-        if (!file.open(QIODevice::ReadOnly)) return;
-        const QPalette palette = QGuiApplication::palette();
-        const QColor colour = mode == QIcon::Disabled   ? palette.color(QPalette::Disabled, QPalette::ButtonText)
-                              : mode == QIcon::Selected ? palette.color(QPalette::Active, QPalette::HighlightedText)
-                              : name_ == QLatin1String("error") ? fault(palette)
-                              : name_ == QLatin1String("warning")
-                                  ? caution(palette)
-                                  : mix(palette.color(QPalette::ButtonText), palette.color(QPalette::Window), 0.15);
-        const bool isOneColoured = mode == QIcon::Disabled || mode == QIcon::Selected;
-        QByteArray svg = file.readAll();
-        svg.replace("currentColor", colour.name().toLatin1());
-        svg.replace("accentColor", (isOneColoured ? colour : accent(palette)).name().toLatin1());
-        QSvgRenderer(svg).render(painter, rect);
-    }
-    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-        QPixmap result(size);
-        result.fill(Qt::transparent);
-        QPainter painter(&result);
-        paint(&painter, QRect({}, size), mode, state);
-        return result;
-    }
-    QIconEngine* clone() const override { return new TintedIcon(name_); }
-
-private:
-    QString name_;
 };
 
 }  // namespace
