@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QLineSeries>
 #include <QPainter>
+#include <QSignalSpy>
 #include <QToolButton>
 #include <QTreeView>
 #include <QWheelEvent>
@@ -191,6 +192,37 @@ TEST_F(Signals, OfEveryKindAreListed) {
     for (const char* query : {"heater", "element.solid.T", "residual"})
         EXPECT_FALSE(matching(all, query).empty()) << query;
     EXPECT_TRUE(matching(all, "no such thing").empty());
+}
+
+TEST_F(Signals, AreListedOnceForAllThatAStepChangesAndNotForNobody) {
+    openAndWait();
+    QTest::qWait(100);
+    const SignalModel& model = browser().model();
+    QSignalSpy listed(&model, &QAbstractItemModel::modelReset);
+    const int before = model.total();
+    const auto addRecording = [&](const char* name) {
+        StudySettings settings = document().settings();
+        settings.experiments.push_back(settings.experiments.front());
+        settings.experiments.back().name = name;
+        document().applySettings(std::move(settings), "add");
+    };
+    addRecording("second");
+    addRecording("third");
+    EXPECT_TRUE(listed.isEmpty()) << "the step goes on";
+    QCoreApplication::processEvents();
+    const auto lists = listed.size();
+    EXPECT_GT(lists, 0);
+    EXPECT_LE(lists, 2) << "the signals, and the search in them";
+    EXPECT_GT(model.total(), before);
+
+    window.findChild<QDockWidget*>("signals")->hide();
+    addRecording("fourth");
+    QTest::qWait(50);
+    EXPECT_EQ(listed.size(), lists);
+    window.findChild<QDockWidget*>("signals")->show();
+    window.findChild<QDockWidget*>("signals")->raise();
+    ASSERT_TRUE(browser().isVisible());
+    EXPECT_GT(listed.size(), lists);
 }
 
 TEST_F(Signals, GoToThePlotsByEnterAndMeasuredOnesNeedNoSimulation) {

@@ -91,16 +91,32 @@ SignalBrowser::SignalBrowser(Document& document, QWidget* parent)
     connect(formula_, &QLineEdit::textEdited, fault_, &QLabel::hide);
     connect(recording_, &QComboBox::currentTextChanged, this,
             [this](const QString& name) { model_->setRecording(name); });
+    refreshing_.setSingleShot(true);
+    connect(&refreshing_, &QTimer::timeout, this, [this] {
+        if (isVisible() && isBehind_) refresh();
+    });
     for (auto changed :
          {&Document::opened, &Document::factsChanged, &Document::experimentsChanged, &Document::plotsChanged})
-        connect(&document, changed, this, &SignalBrowser::refresh);
+        connect(&document, changed, this, &SignalBrowser::follow);
     connect(&document, &Document::resultChanged, this, [this] {
-        if (document_.isOpen() && document_.isSimulated() != isSimulated_) refresh();
+        if (document_.isOpen() && document_.isSimulated() != isSimulated_) follow();
     });
-    refresh();
+}
+
+void SignalBrowser::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (isBehind_) refresh();
+}
+
+/// A study may have thousands of signals, and every edit may change them: they are listed once for all that one step
+/// changes, and not for nobody.
+void SignalBrowser::follow() {
+    isBehind_ = true;
+    refreshing_.start();
 }
 
 void SignalBrowser::refresh() {
+    isBehind_ = false;
     isSimulated_ = document_.isOpen() && document_.isSimulated();
     const PlotLayout layout = document_.isOpen() ? plotLayoutOf(document_.study().extraJson) : PlotLayout{};
     QStringList names;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 
 #include "ui/signals/signal_model.hpp"
@@ -33,8 +34,10 @@ Q_SIGNALS:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
+    void follow();
     void refresh();
     void showSearch();
     void send();
@@ -47,7 +50,9 @@ private:
     QTreeView* tree_;
     QLabel *count_, *fault_;
     QToolButton *show_, *add_;
-    bool isSimulated_{};  // the model by itself, beside its recordings
+    bool isSimulated_{};   // the model by itself, beside its recordings
+    bool isBehind_{true};  // something has changed since they were listed
+    QTimer refreshing_;
 };
 
 }  // namespace analogon::ui
