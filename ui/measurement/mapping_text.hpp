@@ -16,9 +16,9 @@ struct Table;
 /// How the list of recordings shows channels, clocks and ranges, and how they are typed there.
 namespace analogon::ui {
 
-/// What a row of the list holds: its recording, what it is, its signal, its channel.
+/// What a row of the list holds: its recording, what it is, its signal, its channel, whether it says how long it is.
 inline constexpr int experimentRole = Qt::UserRole, kindRole = Qt::UserRole + 1, signalRole = Qt::UserRole + 2,
-                     columnRole = Qt::UserRole + 3;
+                     columnRole = Qt::UserRole + 3, extentRole = Qt::UserRole + 4;
 
 /// The column of that name; null: the file has none, or several.
 const Column* columnOf(const Table* file, const ChannelName& name);

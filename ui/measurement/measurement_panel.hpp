@@ -1,11 +1,16 @@
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
+#include "core/study/study.hpp"
+#include "ui/document/model_facts.hpp"
 #include "ui/job/job.hpp"
 
 class QLabel;
@@ -19,11 +24,8 @@ namespace analogon::ui {
 
 class Document;
 struct RecordingExtent;
-struct SignalFact;
 }  // namespace analogon::ui
 namespace analogon {
-struct ChannelMapping;
-struct StudyExperiment;
 struct Table;
 }  // namespace analogon
 namespace analogon::ui {
@@ -66,14 +68,25 @@ private:
     friend class MappingDelegate;
     enum class Kind { Experiment, Info, Unread, Input, Output, Spare, Range };
     enum TreeColumn { Model, Source, Clock, Unit, ColumnCount };
+    /// What the rows of a recording are made from.
+    struct RowContent {
+        StudyExperiment recording;
+        std::shared_ptr<const Table> table;
+        QStringList faults;  // why it was not read
+
+        friend bool operator==(const RowContent&, const RowContent&) = default;
+    };
     void refresh();
     void fillTree();
+    std::vector<RowContent> contents() const;
+    void replaceRows(std::size_t first, std::size_t last, const std::vector<RowContent>& now);
+    void unfold(QTreeWidgetItem* top, bool isUnfolded);
     static QString unmappedText(const StudyExperiment& experiment, const SignalFact& fact, bool isInput,
                                 const Table* table);
-    QTreeWidgetItem* itemOf(const StudyExperiment& experiment);
+    QTreeWidgetItem* itemOf(const RowContent& content);
     void markLeftOut();
     void mark(QTreeWidgetItem* top, const StudyExperiment& experiment) const;
-    void addUnread(QTreeWidgetItem* top, const StudyExperiment& experiment);
+    void addUnread(QTreeWidgetItem* top, const QStringList& faults);
     void addSpares(QTreeWidgetItem* top, const Table& file, const std::set<QString>& used);
     void measureExtents();
     bool isExtentAtHand(const StudyExperiment& experiment) const;
@@ -110,7 +123,9 @@ private:
     QString draggedColumn_;  // under way to a signal; empty: none
     QPoint pressedAt_;
     bool isDragging_{};
-    bool isMeasureOwed_{};  // something changed while nobody saw the panel
+    bool isMeasureOwed_{};                                // something changed while nobody saw the panel
+    std::vector<RowContent> shown_;                       // of each row of the tree
+    std::vector<SignalFact> shownInputs_, shownOutputs_;  // of the model they were made for
 };
 
 }  // namespace analogon::ui

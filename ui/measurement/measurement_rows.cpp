@@ -75,6 +75,7 @@ void MeasurementPanel::addSpares(QTreeWidgetItem* top, const Table& file, const 
 }
 
 void MeasurementPanel::showExtent(QTreeWidgetItem* info, const RecordingExtent& extent) {
+    info->setData(0, extentRole, true);
     const QString text = QStringLiteral(" · ") + extentText(extent);
     info->setText(0, info->text(0) + text);
     info->setToolTip(0, info->toolTip(0).replace('\n', text + '\n'));
@@ -96,9 +97,9 @@ void MeasurementPanel::measureExtents() {
     if (isMeasureOwed_) return measurer_.drop();
     using Extents = std::vector<std::pair<QString, RecordingExtent>>;
     std::vector<StudyExperiment> experiments;
-    if (document_.isOpen())
-        for (const StudyExperiment& e : document_.study().experiments)
-            if (!isExtentAtHand(e)) experiments.push_back(e);
+    for (std::size_t i = 0; i < shown_.size(); ++i)
+        if (!tree_->topLevelItem(static_cast<int>(i))->child(0)->data(0, extentRole).toBool())
+            experiments.push_back(shown_[i].recording);
     if (experiments.empty()) return measurer_.drop();
     measurer_.start<Extents>(
         tr("Reading"),
@@ -118,7 +119,7 @@ void MeasurementPanel::measureExtents() {
             for (int i = 0; i < tree_->topLevelItemCount(); ++i)
                 for (const auto& [name, extent] : extents)
                     if (QTreeWidgetItem* const top = tree_->topLevelItem(i);
-                        top->data(0, experimentRole).toString() == name && top->childCount() > 0)
+                        top->data(0, experimentRole).toString() == name)
                         showExtent(top->child(0), extent);
         });
 }
@@ -132,7 +133,7 @@ void MeasurementPanel::markLeftOut() {
 
 /// A recording that is not used, or has a fault, is told from the others, and why is said where one points.
 void MeasurementPanel::mark(QTreeWidgetItem* top, const StudyExperiment& experiment) const {
-    const bool isMissing = isUnread(document_, QString::fromStdString(experiment.name));
+    const bool isMissing = isUnread(document_.study(), experiment);
     const FaultyRecording* const faulty = experiment.isUsed ? document_.leftOut(experiment.name) : nullptr;
     QStringList why;
     for (const Diagnostic& said : faulty ? faulty->why : Diagnostics())
@@ -151,16 +152,12 @@ void MeasurementPanel::mark(QTreeWidgetItem* top, const StudyExperiment& experim
 }
 
 /// Why there is nothing of the file, and what to do.
-void MeasurementPanel::addUnread(QTreeWidgetItem* top, const StudyExperiment& experiment) {
-    if (!isUnread(document_, QString::fromStdString(experiment.name))) return;
-    const Diagnostics& faults = document_.study().unread.at(tableKey(experiment));
-    auto* item = addRow(top, Kind::Unread, inWords(faults.front().message), {});
+void MeasurementPanel::addUnread(QTreeWidgetItem* top, const QStringList& faults) {
+    if (faults.isEmpty()) return;
+    auto* item = addRow(top, Kind::Unread, faults.front(), {});
     item->setIcon(0, style::icon("error"));
     style::tint(*item, 0, style::fault, palette());
-    QStringList tip;
-    for (const Diagnostic& d : faults) tip << inWords(d.message);
-    tip << tr("Double-click or Enter looks for the file");
-    item->setToolTip(0, tip.join('\n'));
+    item->setToolTip(0, faults.join('\n') + '\n' + tr("Double-click or Enter looks for the file"));
 }
 
 /// Where two columns fit alike, which they are.
@@ -175,9 +172,9 @@ QString MeasurementPanel::unmappedText(const StudyExperiment& experiment, const 
 }
 
 /// The row of a recording with those below it. They come into the tree together: it lays itself out once.
-QTreeWidgetItem* MeasurementPanel::itemOf(const StudyExperiment& experiment) {
-    const std::shared_ptr<const Table> whole = fileTable(document_.study().tables, experiment);
-    const Table* const table = whole.get();
+QTreeWidgetItem* MeasurementPanel::itemOf(const RowContent& content) {
+    const StudyExperiment& experiment = content.recording;
+    const Table* const table = content.table.get();
     const QString file = QString::fromStdString(std::filesystem::path(experiment.file).filename().string());
     const QString name = QString::fromStdString(experiment.name);
     auto* top = new QTreeWidgetItem({name});
@@ -188,7 +185,7 @@ QTreeWidgetItem* MeasurementPanel::itemOf(const StudyExperiment& experiment) {
     auto* info = addRow(top, Kind::Info, file, {});
     style::tint(*info, 0, style::mutedText, palette());
     info->setToolTip(0, QString::fromStdString(experiment.file) + "\n" + tr("Double-click or Enter shows the values"));
-    addUnread(top, experiment);
+    addUnread(top, content.faults);
     mark(top, experiment);
     if (table && isExtentAtHand(experiment)) showExtent(info, extentOf(*table, experiment));
 
@@ -242,26 +239,65 @@ QTreeWidgetItem* MeasurementPanel::itemOf(const StudyExperiment& experiment) {
     return top;
 }
 
-/// All rows anew. A recording stays folded or unfolded; of many, new ones are folded.
-void MeasurementPanel::fillTree() {
-    constexpr std::size_t mostUnfolded = 12;
-    const std::vector<StudyExperiment>& experiments = document_.study().experiments;
-    std::map<QString, bool> wasUnfolded;
-    for (int i = 0; i < tree_->topLevelItemCount(); ++i)
-        wasUnfolded[tree_->topLevelItem(i)->data(0, experimentRole).toString()] = tree_->topLevelItem(i)->isExpanded();
-    QList<QTreeWidgetItem*> items;
-    for (const StudyExperiment& experiment : experiments) items << itemOf(experiment);
-    tree_->clear();
-    tree_->addTopLevelItems(items);
-    for (QTreeWidgetItem* const top : items) {
-        for (int i = 0; i < top->childCount(); ++i)
-            if (const auto kind = static_cast<Kind>(top->child(i)->data(0, kindRole).toInt());
-                kind == Kind::Info || kind == Kind::Unread)
-                top->child(i)->setFirstColumnSpanned(true);
-        const auto known = wasUnfolded.find(top->data(0, experimentRole).toString());
-        const bool isFew = experiments.size() <= mostUnfolded;
-        top->setExpanded(known == wasUnfolded.end() ? isFew : known->second);
+std::vector<MeasurementPanel::RowContent> MeasurementPanel::contents() const {
+    const Study& study = document_.study();
+    std::vector<RowContent> contents;
+    for (const StudyExperiment& experiment : study.experiments) {
+        RowContent& content = contents.emplace_back(experiment, fileTable(study.tables, experiment));
+        if (!isUnread(study, experiment)) continue;
+        for (const Diagnostic& d : study.unread.at(tableKey(experiment))) content.faults << inWords(d.message);
     }
+    return contents;
+}
+
+void MeasurementPanel::unfold(QTreeWidgetItem* top, bool isUnfolded) {
+    for (int i = 0; i < top->childCount(); ++i)
+        if (const auto kind = static_cast<Kind>(top->child(i)->data(0, kindRole).toInt());
+            kind == Kind::Info || kind == Kind::Unread)
+            top->child(i)->setFirstColumnSpanned(true);
+    top->setExpanded(isUnfolded);
+}
+
+/// The rows from `first` on, without the last `last`, anew. A recording stays folded or unfolded, and the current row
+/// stays where it was; of many, new ones are folded.
+void MeasurementPanel::replaceRows(std::size_t first, std::size_t last, const std::vector<RowContent>& now) {
+    constexpr std::size_t mostUnfolded = 12;
+    const int row = static_cast<int>(first), count = static_cast<int>(shown_.size() - last) - row;
+    std::map<QString, bool> wasUnfolded;
+    for (int i = row; i < row + count; ++i)
+        wasUnfolded[tree_->topLevelItem(i)->data(0, experimentRole).toString()] = tree_->topLevelItem(i)->isExpanded();
+    const QTreeWidgetItem* current = tree_->currentItem();
+    const QString currentSignal = current ? current->data(0, signalRole).toString() : QString();
+    while (current && current->parent()) current = current->parent();
+    const QString currentName = current ? current->data(0, experimentRole).toString() : QString();
+    QList<QTreeWidgetItem*> items;
+    for (std::size_t i = first; i < now.size() - last; ++i) items << itemOf(now[i]);
+    tree_->model()->removeRows(row, count);
+    tree_->insertTopLevelItems(row, items);
+    for (QTreeWidgetItem* const top : items) {
+        const QString name = top->data(0, experimentRole).toString();
+        const auto known = wasUnfolded.find(name);
+        unfold(top, known == wasUnfolded.end() ? now.size() <= mostUnfolded : known->second);
+        if (name != currentName) continue;
+        const bool isSeen = top->isExpanded() && !currentSignal.isEmpty();  // else it would unfold them
+        QTreeWidgetItem* const signal = isSeen ? signalItem(currentName, currentSignal) : nullptr;
+        tree_->setCurrentItem(signal ? signal : top);
+    }
+}
+
+/// Only what has changed is built anew: a study may have hundreds of recordings, and most edits are of one of them.
+void MeasurementPanel::fillTree() {
+    std::vector<RowContent> now = contents();
+    const ModelFacts& facts = document_.facts();
+    const bool isSameModel = facts.inputs == shownInputs_ && facts.outputs == shownOutputs_;
+    std::size_t first = 0, last = 0;
+    const std::size_t most = isSameModel ? std::min(now.size(), shown_.size()) : 0;
+    while (first < most && now[first] == shown_[first]) ++first;
+    while (last < most - first && now[now.size() - 1 - last] == shown_[shown_.size() - 1 - last]) ++last;
+    if (first + last < std::max(now.size(), shown_.size())) replaceRows(first, last, now);
+    shown_ = std::move(now);
+    shownInputs_ = facts.inputs;
+    shownOutputs_ = facts.outputs;
 }
 
 void MeasurementPanel::refresh() {
@@ -276,10 +312,7 @@ void MeasurementPanel::refresh() {
     import_->setEnabled(isOpen);
     table_->setEnabled(isOpen && !document_.study().experiments.empty());
     propose_->setEnabled(isOpen && !document_.study().experiments.empty());
-    if (isOpen)
-        fillTree();
-    else
-        tree_->clear();
+    if (isOpen) fillTree();
     measureExtents();
     // few channels have a clock or a unit of their own: the names of columns need the room
     const auto& experiments = document_.study().experiments;

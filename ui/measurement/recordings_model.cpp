@@ -82,7 +82,7 @@ RecordingsModel::Row RecordingsModel::rowOf(const StudyExperiment& experiment) c
     row.file = QString::fromStdString(std::filesystem::path(experiment.file).filename().string());
     row.isUsed = experiment.isUsed;
     row.isFit = experiment.role == analogon::Role::Fit;
-    row.isMissing = isUnread(document_, QString::fromStdString(experiment.name));
+    row.isMissing = isUnread(document_.study(), experiment);
     for (const auto& [output, mapping] : experiment.outputs)
         row.weights = row.weights ? std::pair(std::min(row.weights->first, mapping.weight),
                                               std::max(row.weights->second, mapping.weight))
